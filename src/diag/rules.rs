@@ -1,0 +1,104 @@
+//! The registry of rules: every code a finding can have, and its explain page.
+
+use super::Severity;
+
+/// One kind of finding.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Rule {
+    /// `LM` and four digits; the first two name the subject. Never reused.
+    pub code: &'static str,
+    /// The name for configuration and reports.
+    pub name: &'static str,
+    /// One line for lists.
+    pub summary: &'static str,
+    /// Its level unless configured otherwise.
+    pub level: Severity,
+    /// The version that introduced it.
+    pub since: &'static str,
+    /// Its explain page, Markdown.
+    pub page: &'static str,
+}
+
+/// The rule with that code or name, in any case.
+pub fn find_rule(code_or_name: &str) -> Option<&'static Rule> {
+    RULES
+        .iter()
+        .copied()
+        .find(|rule| rule.code.eq_ignore_ascii_case(code_or_name) || rule.name.eq_ignore_ascii_case(code_or_name))
+}
+
+macro_rules! rules {
+    ($($constant:ident $code:literal $name:literal $level:ident $summary:literal)*) => {
+        $(
+            #[doc = $summary]
+            pub static $constant: Rule = Rule {
+                code: $code,
+                name: $name,
+                summary: $summary,
+                level: Severity::$level,
+                since: "0.1.0",
+                page: include_str!(concat!("../../docs/errors/", $code, ".md")),
+            };
+        )*
+        /// Every rule, by code.
+        pub static RULES: &[&Rule] = &[$(&$constant),*];
+    };
+}
+
+rules! {
+    UNREADABLE_FILE "LM0001" "unreadable-file" Error "a file cannot be read"
+    NOT_UTF8 "LM0002" "not-utf8" Error "a file is not UTF-8 text"
+    MISSING_IMPORT "LM0003" "missing-import" Error "an import names no file"
+    IMPORT_CYCLE "LM0004" "import-cycle" Error "files import each other in a circle"
+    UNKNOWN_FILE_KIND "LM0005" "unknown-file-kind" Error "a file's name ends neither in .msd nor in .fsfn"
+    AMBIGUOUS_IMPORT "LM0006" "ambiguous-import" Error "an import names two files"
+    FILE_TOO_LARGE "LM0007" "file-too-large" Error "a file is larger than the compiler takes"
+    BAD_CONFIGURATION "LM0008" "bad-configuration" Error "lmsl.toml says something the compiler does not know"
+
+    SYNTAX_ERROR "LM0101" "syntax-error" Error "text that is not part of the language"
+    TOO_DEEP "LM0102" "nesting-too-deep" Error "parentheses nested deeper than the compiler takes"
+    KEYWORD_AS_NAME "LM0103" "keyword-as-name" Error "a keyword used as a name"
+    WRONG_FILE_KIND "LM0104" "wrong-file-kind" Error "a declaration that belongs in the other kind of file"
+    NOT_SUPPORTED "LM0105" "not-supported-yet" Error "a construct this version reads but cannot run yet"
+
+    UNKNOWN_NAME "LM0201" "unknown-name" Error "a name that is declared nowhere"
+    DUPLICATE_NAME "LM0202" "duplicate-name" Error "one name declared twice"
+    NAME_CLASH "LM0203" "name-clash" Error "one name brought into scope from two files"
+    WRONG_KIND "LM0204" "wrong-kind-of-name" Error "a name of one kind where another is needed"
+    EXTENDS_CYCLE "LM0205" "extends-cycle" Error "declarations extend each other in a circle"
+    AMBIGUOUS_NAME "LM0206" "ambiguous-name" Error "a name that could mean two things"
+
+    DIMENSION_MISMATCH "LM0301" "dimension-mismatch" Error "a quantity of the wrong dimension"
+    UNKNOWN_UNIT "LM0302" "unknown-unit" Error "a unit the language does not know"
+    MISSING_UNIT "LM0303" "missing-unit" Error "a number without the unit it needs"
+    NUMBER_TOO_LONG "LM0304" "number-too-long" Error "a number with more digits than can be kept exactly"
+    OUTSIDE_RANGE "LM0305" "outside-range" Warning "a literal outside the declared range"
+    NOT_A_CONDITION "LM0306" "not-a-condition" Error "a value where something true or false is needed"
+    WRONG_ARGUMENTS "LM0307" "wrong-arguments" Error "arguments that do not fit the parameters"
+    EMPTY_RANGE "LM0308" "empty-range" Error "a range whose lower end is not below its upper end"
+    INVALID_VALUE "LM0309" "invalid-value" Error "a number that this place cannot take"
+    TWICE "LM0310" "said-twice" Error "something that may be said once is said twice"
+    MISSING_PART "LM0311" "missing-part" Error "a declaration lacks a part it needs"
+    INTERFACE_NOT_KEPT "LM0312" "interface-not-kept" Error "a robot does not keep what its interface promises"
+
+    MISSING_ENTRY "LM0401" "missing-entry" Error "a diagram without an entry mode"
+    DUPLICATE_PRIORITY "LM0403" "duplicate-priority" Error "two transitions of one mode with one priority"
+    UNREACHABLE_MODE "LM0404" "unreachable-mode" Warning "a mode no path of transitions leads to"
+    ENTRY_REQUIRES "LM0405" "entry-requires-optional" Error "an entry mode that requires a sensor"
+    DEAD_END "LM0406" "dead-end" Warning "a mode without a way out that is not marked `final`"
+    FINAL_WITH_EXIT "LM0407" "final-with-exit" Error "a `final` mode with a transition"
+    REQUIRES_WITHOUT_ELSE "LM0408" "requires-without-else" Warning "a required sensor with nowhere to go when it fails"
+
+    BREAKPOINTS_OUT_OF_ORDER "LM0501" "breakpoints-out-of-order" Error "corners of a membership function that do not ascend"
+    TERM_OUTSIDE_RANGE "LM0502" "term-outside-range" Warning "a term that is zero over the whole range of its variable"
+    RANGE_NOT_COVERED "LM0503" "range-not-covered" Warning "readings that belong to no term of their variable"
+    ROW_LENGTH "LM0504" "row-length" Error "a row whose cells do not match the inputs"
+    NO_CONTRIBUTOR "LM0505" "no-contributor" Error "an event that no rule can set"
+
+    FAIL_READING_OUTSIDE_RANGE "LM0601" "fail-reading-outside-range" Error "a fail reading outside the sensor's range"
+
+    BAD_PLACEMENT "LM0801" "bad-placement" Error "a scenario whose bodies overlap at the start"
+    NO_SCENARIO "LM0802" "no-scenario" Error "a file without a scenario to run"
+
+    INTERNAL "LM9901" "internal-error" Error "a fault of the compiler itself"
+}

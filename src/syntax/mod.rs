@@ -1,0 +1,6 @@
+//! Text to syntax tree: parsing with recovery.
+//!
+//! Imports: base, diag
+//! Crates: pest, pest_derive
+
+pub mod ast;
