@@ -3,7 +3,7 @@
 //! Imports: base
 //! Crates: strsim
 
-mod rules;
+pub mod rules;
 
 pub use rules::{RULES, Rule, find_rule};
 

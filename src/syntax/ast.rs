@@ -732,6 +732,17 @@ pub enum Layer {
     Goal,
 }
 
+impl Layer {
+    /// The keyword that declares it.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::Behavior => "behavior",
+            Self::Activity => "activity",
+            Self::Goal => "goal",
+        }
+    }
+}
+
 /// What may stand in a diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DiagramItem {

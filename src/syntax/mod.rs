@@ -4,3 +4,6 @@
 //! Crates: pest, pest_derive
 
 pub mod ast;
+mod parse;
+
+pub use parse::{KEYWORDS, parse};
