@@ -3,4 +3,9 @@
 
 pub mod base;
 pub mod diag;
+pub mod interp;
+pub mod ir;
+pub mod kernel;
+pub mod plan;
 pub mod syntax;
+pub mod trace;

@@ -1,1 +1,2 @@
+//! The command line; see `lmslc --help`.
 fn main() {}

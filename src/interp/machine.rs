@@ -1,0 +1,171 @@
+//! The machine of a diagram: its state, and the tick.
+
+use std::ops::Range;
+
+use super::memory::Memory;
+use crate::kernel;
+use crate::plan::{Plan, Transition};
+
+/// What a sensor says on one tick.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// The number in SI; anything at all, also not finite.
+    pub value: f64,
+    /// Whether the sensor is not known to have failed.
+    pub healthy: bool,
+}
+
+/// What the machine is told on one tick.
+#[derive(Debug, Clone, Copy)]
+pub struct Inputs<'a> {
+    /// One reading for each input of the plan, in order. Missing ones count as failed.
+    pub readings: &'a [Reading],
+    /// Whether the action of the active mode had reported completion by the end of the tick before.
+    pub done: bool,
+}
+
+/// What carries out the machine's commands.
+pub trait Actuators {
+    /// Carries out an action, a position in [`Plan::actions`], with its arguments in SI. `start` is true on the tick
+    /// that entered the mode, so that a repeated command can be told from a new one.
+    fn command(&mut self, action: u32, arguments: &[f64], start: bool);
+}
+
+/// Why the machine is where it is after a tick.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Taken {
+    /// It stayed.
+    Stayed,
+    /// It entered its entry mode: the first tick.
+    Entered,
+    /// It took a transition, a position in [`Plan::transitions`].
+    Transition(u32),
+    /// It left a mode whose required input had failed.
+    Lost {
+        /// The mode that was left.
+        from: u32,
+        /// The input that failed.
+        input: u32,
+    },
+}
+
+/// A diagram being run. `step` allocates nothing.
+#[derive(Debug, Clone)]
+pub struct Machine<'p> {
+    plan: &'p Plan,
+    memory: Memory,
+    mode: u32,
+    entered: bool,
+    random: u64,
+    arguments: Vec<f64>,
+}
+
+impl<'p> Machine<'p> {
+    /// A machine before its first tick. Everything random follows from `seed`.
+    pub fn new(plan: &'p Plan, seed: u64) -> Self {
+        let mut memory = Memory::new(&plan.code);
+        let nothing = Inputs { readings: &[], done: false };
+        memory.run(&plan.code, plan.constants.clone(), &plan.inputs, nothing, 0, plan.entry);
+        let longest = plan.calls.iter().map(|call| call.arguments.len()).max().unwrap_or(0);
+        Self { plan, memory, mode: plan.entry, entered: false, random: seed, arguments: Vec::with_capacity(longest) }
+    }
+
+    /// The active mode, a position in [`Plan::modes`].
+    pub fn mode(&self) -> u32 {
+        self.mode
+    }
+
+    /// Nanoseconds since the active mode was entered.
+    pub fn dwell(&self) -> u64 {
+        self.memory.dwell
+    }
+
+    /// A number of the last tick.
+    pub fn real(&self, real: crate::plan::Real) -> f64 {
+        self.memory.real(real)
+    }
+
+    /// A truth value of the last tick.
+    pub fn bool(&self, bool: crate::plan::Bool) -> bool {
+        self.memory.bool(bool)
+    }
+
+    /// One tick, `dt` nanoseconds after the one before: sense, fuse, select, act. The first tick enters the entry mode.
+    pub fn step(&mut self, inputs: Inputs<'_>, dt: u64, actuators: &mut impl Actuators) -> Taken {
+        let plan = self.plan;
+        if self.entered {
+            self.memory.dwell = self.memory.dwell.saturating_add(dt);
+        }
+        self.run(plan.fuse.clone(), inputs, dt);
+        let taken = if self.entered { self.select(inputs, dt) } else { Taken::Entered };
+        let target = match taken {
+            Taken::Stayed => None,
+            Taken::Entered => Some(plan.entry),
+            Taken::Transition(index) => plan.transitions.get(index as usize).map(|transition| transition.target),
+            Taken::Lost { .. } => self.current().otherwise,
+        };
+        if let Some(target) = target {
+            if self.entered {
+                self.call(self.current().on_exit.clone(), true, actuators);
+            }
+            self.enter(target);
+            self.call(self.current().on_enter.clone(), true, actuators);
+        }
+        self.call(self.current().actions.clone(), target.is_some(), actuators);
+        self.run(plan.watch.clone(), inputs, dt);
+        taken
+    }
+
+    fn current(&self) -> &'p crate::plan::Mode {
+        &self.plan.modes[self.mode as usize]
+    }
+
+    fn run(&mut self, steps: Range<u32>, inputs: Inputs<'_>, dt: u64) {
+        self.memory.run(&self.plan.code, steps, &self.plan.inputs, inputs, dt, self.mode);
+    }
+
+    /// The first input that a mode requires and that has failed.
+    fn missing(&self, mode: u32, inputs: Inputs<'_>) -> Option<u32> {
+        let required = &self.plan.modes[mode as usize].required;
+        let failed = |input: &u32| !inputs.readings.get(*input as usize).is_some_and(|reading| reading.healthy);
+        self.plan.required[required.start as usize..required.end as usize].iter().copied().find(failed)
+    }
+
+    fn select(&mut self, inputs: Inputs<'_>, dt: u64) -> Taken {
+        if let (Some(input), Some(otherwise)) = (self.missing(self.mode, inputs), self.current().otherwise)
+            && self.missing(otherwise, inputs).is_none()
+        {
+            return Taken::Lost { from: self.mode, input };
+        }
+        for index in self.current().transitions.clone() {
+            let Transition { steps, condition, target, .. } = &self.plan.transitions[index as usize];
+            self.run(steps.clone(), inputs, dt);
+            if self.memory.bool(*condition) && self.missing(*target, inputs).is_none() {
+                return Taken::Transition(index);
+            }
+        }
+        Taken::Stayed
+    }
+
+    fn enter(&mut self, mode: u32) {
+        self.mode = mode;
+        self.entered = true;
+        self.memory.enter_mode();
+        for draw in &self.plan.draws[range(&self.current().draws)] {
+            self.memory.set_real(draw.to, kernel::draw(&mut self.random, draw.low, draw.high));
+        }
+    }
+
+    fn call(&mut self, calls: Range<u32>, start: bool, actuators: &mut impl Actuators) {
+        for call in &self.plan.calls[range(&calls)] {
+            self.arguments.clear();
+            let arguments = &self.plan.arguments[range(&call.arguments)];
+            self.arguments.extend(arguments.iter().map(|&real| self.memory.real(real)));
+            actuators.command(call.action, &self.arguments, start);
+        }
+    }
+}
+
+fn range(range: &Range<u32>) -> Range<usize> {
+    range.start as usize..range.end as usize
+}

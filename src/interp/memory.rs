@@ -1,0 +1,172 @@
+//! The memory of a running plan, and the meaning of each step.
+
+use std::ops::Range;
+
+use super::Inputs;
+use crate::kernel::{self, Stopwatch};
+use crate::plan::{Bool, Code, Comparison, Input, Real, Shape, Step};
+
+#[derive(Debug, Clone)]
+pub(super) struct Memory {
+    reals: Vec<f64>,
+    bools: Vec<bool>,
+    memories: Vec<bool>,
+    stopwatches: Vec<Stopwatch>,
+    counters: Vec<u32>,
+    latches: Vec<bool>,
+    /// Nanoseconds since the active mode was entered.
+    pub(super) dwell: u64,
+}
+
+impl Memory {
+    pub(super) fn new(code: &Code) -> Self {
+        Self {
+            reals: vec![0.0; code.reals as usize],
+            bools: vec![false; code.bools as usize],
+            memories: vec![false; code.memories as usize],
+            stopwatches: vec![Stopwatch::default(); code.stopwatches as usize],
+            counters: vec![0; code.counters as usize],
+            latches: vec![false; code.latches as usize],
+            dwell: 0,
+        }
+    }
+
+    pub(super) fn real(&self, real: Real) -> f64 {
+        self.reals[real as usize]
+    }
+
+    pub(super) fn bool(&self, bool: Bool) -> bool {
+        self.bools[bool as usize]
+    }
+
+    pub(super) fn set_real(&mut self, real: Real, value: f64) {
+        self.reals[real as usize] = value;
+    }
+
+    /// Restarts what belongs to the active mode.
+    pub(super) fn enter_mode(&mut self) {
+        self.dwell = 0;
+        self.counters.fill(0);
+        self.latches.fill(false);
+    }
+
+    pub(super) fn run(
+        &mut self,
+        code: &Code,
+        steps: Range<u32>,
+        inputs: &[Input],
+        told: Inputs<'_>,
+        dt: u64,
+        active: u32,
+    ) {
+        for step in &code.steps[range(&steps)] {
+            match *step {
+                Step::Read { input, to } => {
+                    let Input { low, high, fail, .. } = inputs[input as usize];
+                    self.reals[to as usize] = match told.readings.get(input as usize) {
+                        Some(reading) => kernel::sanitize(reading.value, reading.healthy, low, high, fail),
+                        None => fail,
+                    };
+                }
+                Step::Constant { value, to } => self.reals[to as usize] = value,
+                Step::Degree { of, ref shape, to } => {
+                    self.reals[to as usize] = degree(self.real(of), shape, &code.points);
+                }
+                Step::Complement { of, to } => self.reals[to as usize] = 1.0 - self.real(of),
+                Step::Minimum { ref of, to } => {
+                    let operands = code.real_lists[range(of)].iter().map(|&real| self.real(real));
+                    self.reals[to as usize] = operands.reduce(kernel::minimum).unwrap_or(1.0);
+                }
+                Step::Maximum { ref of, to } => {
+                    let operands = code.real_lists[range(of)].iter().map(|&real| self.real(real));
+                    self.reals[to as usize] = operands.reduce(kernel::maximum).unwrap_or(0.0);
+                }
+                Step::Outweighs { contributor, detractor, to } => {
+                    self.bools[to as usize] = kernel::outweighs(self.real(contributor), self.real(detractor));
+                }
+                Step::OutweighsWithHysteresis { contributor, detractor, hysteresis, memory, to } => {
+                    let (contributor, detractor) = (self.real(contributor), self.real(detractor));
+                    let before = &mut self.memories[memory as usize];
+                    *before = kernel::outweighs_with_hysteresis(contributor, detractor, hysteresis, *before);
+                    self.bools[to as usize] = *before;
+                }
+                Step::Lasts { of, duration, stopwatch, to } => {
+                    let on = self.bool(of);
+                    self.bools[to as usize] = self.stopwatches[stopwatch as usize].lasts(on, dt, duration);
+                }
+                Step::Hold { of, duration, stopwatch, to } => {
+                    let wanted = self.bool(of);
+                    let stopwatch = &mut self.stopwatches[stopwatch as usize];
+                    self.bools[to as usize] = kernel::hold(stopwatch, wanted, dt, duration);
+                }
+                Step::Failed { input, to } => {
+                    let healthy = told.readings.get(input as usize).is_some_and(|reading| reading.healthy);
+                    self.bools[to as usize] = !healthy;
+                }
+                Step::Compare { comparison, left, right, to } => {
+                    self.bools[to as usize] = compare(comparison, self.real(left), self.real(right));
+                }
+                Step::After { duration, to } => self.bools[to as usize] = self.dwell >= duration,
+                Step::Done { to } => self.bools[to as usize] = told.done,
+                Step::InMode { mode, to } => self.bools[to as usize] = active == mode,
+                Step::Rising { of, memory, to } => {
+                    let before = self.remember(of, memory);
+                    self.bools[to as usize] = self.bool(of) && !before;
+                }
+                Step::Falling { of, memory, to } => {
+                    let before = self.remember(of, memory);
+                    self.bools[to as usize] = !self.bool(of) && before;
+                }
+                Step::Latched { of, latch, to } => {
+                    self.latches[latch as usize] |= self.bool(of);
+                    self.bools[to as usize] = self.latches[latch as usize];
+                }
+                Step::Count { of, memory, counter, to } => {
+                    let edge = !self.remember(of, memory) && self.bool(of);
+                    let counter = &mut self.counters[counter as usize];
+                    *counter = counter.saturating_add(u32::from(edge));
+                    self.reals[to as usize] = f64::from(*counter);
+                }
+                Step::Not { of, to } => self.bools[to as usize] = !self.bool(of),
+                Step::All { ref of, to } => {
+                    self.bools[to as usize] = code.bool_lists[range(of)].iter().all(|&bool| self.bool(bool));
+                }
+                Step::Any { ref of, to } => {
+                    self.bools[to as usize] = code.bool_lists[range(of)].iter().any(|&bool| self.bool(bool));
+                }
+            }
+        }
+    }
+
+    /// What a truth value was on the tick before; remembers what it is now.
+    fn remember(&mut self, of: Bool, memory: u32) -> bool {
+        let now = self.bool(of);
+        std::mem::replace(&mut self.memories[memory as usize], now)
+    }
+}
+
+fn degree(x: f64, shape: &Shape, points: &[(f64, f64)]) -> f64 {
+    match *shape {
+        Shape::Ramp { zero_at, one_at } => kernel::ramp(x, zero_at, one_at),
+        Shape::Triangle([a, b, c]) => kernel::triangle(x, a, b, c),
+        Shape::Trapezoid([a, b, c, d]) => kernel::trapezoid(x, a, b, c, d),
+        Shape::Rectangle([low, high]) => kernel::rectangle(x, low, high),
+        Shape::Singleton(at) => kernel::singleton(x, at),
+        Shape::Points(ref of) => kernel::points(x, &points[range(of)]),
+    }
+}
+
+fn compare(comparison: Comparison, left: f64, right: f64) -> bool {
+    match comparison {
+        Comparison::Less => left < right,
+        Comparison::LessOrEqual => left <= right,
+        Comparison::Greater => left > right,
+        Comparison::GreaterOrEqual => left >= right,
+        Comparison::Equal => left == right,
+        Comparison::NotEqual => left != right,
+    }
+}
+
+fn range(range: &Range<u32>) -> Range<usize> {
+    range.start as usize..range.end as usize
+}

@@ -1,0 +1,11 @@
+//! Runs a plan: one call of [`Machine::step`] is one tick.
+//!
+//! Imports: kernel, plan
+//! Crates: –
+
+mod machine;
+mod memory;
+mod network;
+
+pub use machine::{Actuators, Inputs, Machine, Reading, Taken};
+pub use network::Evaluator;

@@ -1,0 +1,223 @@
+//! The numeric meaning of one tick: membership, strength, memory, time and chance, each written once.
+//!
+//! Plain functions over plain numbers that import nothing of ours, so that the same text can be compiled here and
+//! included in emitted code.
+//!
+//! Imports: –
+//! Crates: –
+
+/// A reading made safe: the fail reading where the sensor is known to have failed or the number is not finite, else
+/// the number clamped to its range. `low <= high`; never NaN if `fail` is not.
+#[inline]
+pub fn sanitize(reading: f64, healthy: bool, low: f64, high: f64, fail: f64) -> f64 {
+    if !healthy || !reading.is_finite() {
+        fail
+    } else if reading < low {
+        low
+    } else if reading > high {
+        high
+    } else {
+        reading
+    }
+}
+
+/// Degree of membership (LMSL eq. 1) of a line from 0 at `zero_at` to 1 at `one_at`, in either direction, clamped.
+/// The corners differ. Exact at both corners.
+#[inline]
+#[expect(clippy::manual_clamp, reason = "a clamp would let -0 through")]
+pub fn ramp(x: f64, zero_at: f64, one_at: f64) -> f64 {
+    let degree = (x - zero_at) / (one_at - zero_at);
+    if degree <= 0.0 {
+        0.0
+    } else if degree >= 1.0 {
+        1.0
+    } else {
+        degree
+    }
+}
+
+/// Degree of membership of a triangle from `a` over `b` to `c`; `a <= b <= c`. Equal corners are steps with the larger
+/// degree at the corner.
+#[inline]
+pub fn triangle(x: f64, a: f64, b: f64, c: f64) -> f64 {
+    trapezoid(x, a, b, b, c)
+}
+
+/// Degree of membership of a trapezoid: 0 at `a`, 1 from `b` to `c`, 0 at `d`; `a <= b <= c <= d`. Equal corners are
+/// steps with the larger degree at the corner.
+#[inline]
+pub fn trapezoid(x: f64, a: f64, b: f64, c: f64, d: f64) -> f64 {
+    if x < b {
+        if x <= a { 0.0 } else { (x - a) / (b - a) }
+    } else if x > c {
+        if x >= d { 0.0 } else { (d - x) / (d - c) }
+    } else {
+        1.0
+    }
+}
+
+/// Degree of membership of the closed interval from `low` to `high`.
+#[inline]
+pub fn rectangle(x: f64, low: f64, high: f64) -> f64 {
+    if low <= x && x <= high { 1.0 } else { 0.0 }
+}
+
+/// Degree of membership of one reading.
+#[inline]
+pub fn singleton(x: f64, at: f64) -> f64 {
+    rectangle(x, at, at)
+}
+
+/// Degree of membership along `points` of readings and degrees, ascending, linear in between and constant outside.
+/// Two points at one reading are a step with the larger degree at it. 0 without points.
+#[inline]
+pub fn points(x: f64, points: &[(f64, f64)]) -> f64 {
+    let mut before: Option<(f64, f64)> = None;
+    for &(at, degree) in points {
+        if x < at {
+            return match before {
+                Some((from, start)) if x > from => start + (degree - start) * ((x - from) / (at - from)),
+                Some((_, start)) => start,
+                None => degree,
+            };
+        }
+        before = Some(match before {
+            Some((from, start)) if x == at && from == at => (at, if start > degree { start } else { degree }),
+            _ => (at, degree),
+        });
+    }
+    before.map_or(0.0, |(_, degree)| degree)
+}
+
+/// The fuzzy AND (LMSL §3.2): the smaller degree.
+#[inline]
+pub fn minimum(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
+/// The fuzzy OR (LMSL §3.2): the larger degree.
+#[inline]
+pub fn maximum(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// Whether an event's rules call for its flag: the contributor outweighs the detractor strictly, so a tie does not.
+#[inline]
+pub fn outweighs(contributor: f64, detractor: f64) -> bool {
+    contributor > detractor
+}
+
+/// The same with hysteresis above 0: set above `detractor + hysteresis`, cleared below `detractor - hysteresis`,
+/// `before` in between.
+#[inline]
+pub fn outweighs_with_hysteresis(contributor: f64, detractor: f64, hysteresis: f64, before: bool) -> bool {
+    if contributor > detractor + hysteresis {
+        true
+    } else if contributor < detractor - hysteresis {
+        false
+    } else {
+        before
+    }
+}
+
+/// The memory of something that is timed while it lasts: nanoseconds since it began, or not begun.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Stopwatch {
+    /// Whether it is running.
+    pub running: bool,
+    /// Nanoseconds since it began, saturating.
+    pub elapsed: u64,
+}
+
+impl Stopwatch {
+    /// Lets `dt` nanoseconds pass, then starts it afresh or stops it as `on` says; answers whether it is running and
+    /// has run for at least `duration`.
+    #[inline]
+    pub fn lasts(&mut self, on: bool, dt: u64, duration: u64) -> bool {
+        self.elapsed = if on && self.running { self.elapsed.saturating_add(dt) } else { 0 };
+        self.running = on;
+        on && self.elapsed >= duration
+    }
+}
+
+/// Keeps a flag set for at least `duration` nanoseconds once it sets. `stopwatch` runs from the tick it set.
+#[inline]
+pub fn hold(stopwatch: &mut Stopwatch, wanted: bool, dt: u64, duration: u64) -> bool {
+    if stopwatch.running {
+        stopwatch.elapsed = stopwatch.elapsed.saturating_add(dt);
+        stopwatch.running = wanted || stopwatch.elapsed < duration;
+    } else if wanted {
+        *stopwatch = Stopwatch { running: true, elapsed: 0 };
+    }
+    stopwatch.running
+}
+
+/// The next number of a seeded stream (SplitMix64: Steele, Lea and Flood 2014).
+#[inline]
+pub fn next_random(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let mut z = *state;
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^ (z >> 31)
+}
+
+/// A number from `low` to `high` (both finite, `low <= high`) from the stream, with 53 random bits.
+#[inline]
+pub fn draw(state: &mut u64, low: f64, high: f64) -> f64 {
+    let fraction = (next_random(state) >> 11) as f64 / 9_007_199_254_740_992.0;
+    let drawn = low + (high - low) * fraction;
+    if drawn > high { high } else { drawn }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shapes_are_exact_at_their_corners() {
+        assert_eq!([-1.5, -1.0, -0.25, 0.0, 0.5].map(|x| ramp(x, 0.0, -1.0)), [1.0, 1.0, 0.25, 0.0, 0.0]);
+        let med = |x| triangle(x, 20.0, 115.0, 190.0);
+        assert_eq!([20.0, 67.5, 115.0, 152.5, 190.0].map(med), [0.0, 0.5, 1.0, 0.5, 0.0]);
+        assert_eq!([-1.0, 0.0, 1.0, 2.0].map(|x| triangle(x, 0.0, 0.0, 2.0)), [0.0, 1.0, 0.5, 0.0]);
+        assert_eq!([0.9, 1.0, 2.0, 2.1].map(|x| trapezoid(x, 1.0, 1.0, 2.0, 2.0)), [0.0, 1.0, 1.0, 0.0]);
+        assert_eq!([0.9, 1.0, 1.1].map(|x| singleton(x, 1.0)), [0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn points_step_with_the_larger_degree() {
+        let at = |x| points(x, &[(0.0, 0.25), (1.0, 0.5), (1.0, 1.0), (2.0, 0.0)]);
+        assert_eq!([-1.0, 0.0, 0.5, 1.0, 1.5, 2.0, 3.0].map(at), [0.25, 0.25, 0.375, 1.0, 0.5, 0.0, 0.0]);
+        let down = |x| points(x, &[(0.0, 1.0), (1.0, 1.0), (1.0, 0.0)]);
+        assert_eq!([0.5, 1.0, 1.5].map(down), [1.0, 1.0, 0.0]);
+        assert_eq!(points(1.0, &[]), 0.0);
+    }
+
+    #[test]
+    fn no_reading_passes_unsafe() {
+        let safe = |reading, healthy| sanitize(reading, healthy, -4.0, 4.0, 0.5);
+        assert_eq!(safe(f64::NAN, true), 0.5);
+        assert_eq!(safe(f64::INFINITY, true), 0.5);
+        assert_eq!(safe(1.0, false), 0.5);
+        assert_eq!(safe(7.0, true), 4.0);
+        assert_eq!(safe(-7.0, true), -4.0);
+        assert_eq!(safe(3.0, true), 3.0);
+    }
+
+    #[test]
+    fn a_flag_is_held_from_the_tick_it_set() {
+        let mut stopwatch = Stopwatch::default();
+        let wanted = [true, false, false, false, true];
+        let held = wanted.map(|wanted| hold(&mut stopwatch, wanted, 10, 20));
+        assert_eq!(held, [true, true, false, false, true]);
+    }
+
+    #[test]
+    fn a_stream_stays_in_its_interval_and_replays() {
+        let draws = |mut state: u64| (0..1000).map(|_| draw(&mut state, -2.0, 2.0)).collect::<Vec<_>>();
+        assert_eq!(draws(7), draws(7));
+        assert_ne!(draws(7), draws(8));
+        assert!(draws(7).iter().all(|drawn| (-2.0..=2.0).contains(drawn)));
+        assert!(draws(7).iter().any(|drawn| *drawn < -1.9) && draws(7).iter().any(|drawn| *drawn > 1.9));
+    }
+}

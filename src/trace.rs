@@ -1,0 +1,114 @@
+//! The record of a run: what was read, decided and done on every tick.
+//!
+//! Imports: –
+//! Crates: –
+
+/// A recorded run. All columns have one value for each tick.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Trace {
+    /// The scenario that was run.
+    pub scenario: String,
+    /// The behavior that ran.
+    pub behavior: String,
+    /// The robot it ran on.
+    pub robot: String,
+    /// The seed of everything random.
+    pub seed: u64,
+    /// Nanoseconds since the first tick, one for each tick.
+    pub times: Vec<u64>,
+    /// The names of the behavior's modes.
+    pub modes: Vec<String>,
+    /// The position in `modes` of the mode that acted, one for each tick.
+    pub mode: Vec<u32>,
+    /// Everything that was recorded beside time and mode.
+    pub columns: Vec<Column>,
+    /// The changes of mode, the entry first.
+    pub changes: Vec<ModeChange>,
+    /// What moved: the robot first, then the boxes. Their poses are columns.
+    pub bodies: Vec<Footprint>,
+    /// Walls that stood, as lines through corners in m.
+    pub walls: Vec<Vec<[f64; 2]>>,
+    /// The goal, m.
+    pub goal: Option<[f64; 2]>,
+}
+
+/// One recorded quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Its name, as in a file's header: `contact_force`, `obstacle_id.heavy_obstacle.contributor`, `box1.x`.
+    pub name: String,
+    /// The SI unit of its values; `1` for degrees and flags.
+    pub unit: String,
+    /// What it is.
+    pub signal: Signal,
+    /// One value for each tick; flags are 0 and 1.
+    pub values: Vec<f64>,
+}
+
+/// What a column records. Numbers are positions: of a sensor of the robot, an event of the plan, a named flag of the
+/// plan, an entry of [`Trace::bodies`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Signal {
+    /// What the sensor read, before it was made safe.
+    Reading(u32),
+    /// The strength of what speaks for an event.
+    Contributor(u32),
+    /// The strength of what speaks against an event.
+    Detractor(u32),
+    /// The flag of an event.
+    Event(u32),
+    /// A named flag.
+    Flag(u32),
+    /// m
+    X(u32),
+    /// m
+    Y(u32),
+    /// rad
+    Heading(u32),
+}
+
+/// The outline of something that moves: a rectangle around its pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Footprint {
+    /// `robot`, or the box's name.
+    pub name: String,
+    /// kg
+    pub mass: f64,
+    /// m along its heading.
+    pub length: f64,
+    /// m across its heading.
+    pub width: f64,
+}
+
+/// A mode that was entered, and why.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeChange {
+    /// Nanoseconds since the first tick.
+    pub time: u64,
+    /// The mode that was left; `None` for the entry.
+    pub from: Option<u32>,
+    /// The mode that was entered.
+    pub to: u32,
+    /// The priority of the transition; `None` for the entry, and where a required sensor failed.
+    pub priority: Option<u32>,
+    /// The condition as written; what failed, where a required sensor did.
+    pub condition: String,
+    /// The numbers that decided.
+    pub evidence: Vec<Evidence>,
+}
+
+/// A number that decided a change of mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evidence {
+    /// What it is the number of.
+    pub name: String,
+    /// The number with its unit, for people.
+    pub text: String,
+}
+
+impl Trace {
+    /// The column that records `signal`.
+    pub fn column(&self, signal: Signal) -> Option<&Column> {
+        self.columns.iter().find(|column| column.signal == signal)
+    }
+}
