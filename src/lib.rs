@@ -7,5 +7,6 @@ pub mod interp;
 pub mod ir;
 pub mod kernel;
 pub mod plan;
+pub mod sema;
 pub mod syntax;
 pub mod trace;

@@ -65,7 +65,7 @@ rules! {
     DUPLICATE_NAME "LM0202" "duplicate-name" Error "one name declared twice"
     NAME_CLASH "LM0203" "name-clash" Error "one name brought into scope from two files"
     WRONG_KIND "LM0204" "wrong-kind-of-name" Error "a name of one kind where another is needed"
-    EXTENDS_CYCLE "LM0205" "extends-cycle" Error "declarations extend each other in a circle"
+    CIRCULAR "LM0205" "circular-declaration" Error "declarations that need each other in a circle"
     AMBIGUOUS_NAME "LM0206" "ambiguous-name" Error "a name that could mean two things"
 
     DIMENSION_MISMATCH "LM0301" "dimension-mismatch" Error "a quantity of the wrong dimension"
@@ -80,6 +80,8 @@ rules! {
     TWICE "LM0310" "said-twice" Error "something that may be said once is said twice"
     MISSING_PART "LM0311" "missing-part" Error "a declaration lacks a part it needs"
     INTERFACE_NOT_KEPT "LM0312" "interface-not-kept" Error "a robot does not keep what its interface promises"
+
+    DONE_NEVER_REPORTED "LM0313" "done-never-reported" Error "`done` in a mode whose actions never report completion"
 
     MISSING_ENTRY "LM0401" "missing-entry" Error "a diagram without an entry mode"
     DUPLICATE_PRIORITY "LM0403" "duplicate-priority" Error "two transitions of one mode with one priority"

@@ -1,0 +1,350 @@
+//! Conditions: what they may name, and what they mean.
+
+use std::collections::HashMap;
+
+use super::{Lower, ambiguous, invalid, named, not_supported, unknown};
+use crate::base::{Dimension, Exact, Id, Span, Unit};
+use crate::diag::{self, Diagnostic};
+use crate::ir::{self, Comparison, Expr, Op, Type};
+use crate::syntax::ast;
+
+/// What a condition can name.
+#[derive(Default)]
+pub(super) struct Scene {
+    pub(super) sensors: Vec<Id<ir::Sensor>>,
+    /// The sensed networks by name.
+    pub(super) senses: HashMap<String, u32>,
+    /// The events of all sensed networks by name; several where networks share a name.
+    pub(super) events: HashMap<String, Vec<(u32, u32)>>,
+    /// The named flags; `None` for one that is broken and was reported.
+    pub(super) flags: HashMap<String, Option<Id<ir::Flag>>>,
+    /// The modes, where a condition may name them.
+    pub(super) modes: HashMap<String, Id<ir::Mode>>,
+    /// Whether some sensed network is broken: then a name that is not known may be one of its events.
+    pub(super) incomplete: bool,
+    /// Whether the actions of the mode can report completion; `None` outside of a mode.
+    pub(super) reports_done: Option<bool>,
+}
+
+impl Scene {
+    fn names(&self) -> impl Iterator<Item = &str> {
+        self.events.keys().chain(self.flags.keys()).chain(self.modes.keys()).map(String::as_str)
+    }
+}
+
+/// An operand of a comparison: a literal waits for the other side to know its unit.
+enum Operand<'e> {
+    Literal(&'e ast::Quantity),
+    Value(Id<Expr>),
+}
+
+impl Lower<'_> {
+    /// A condition; poison where it is broken, which was reported.
+    pub(super) fn condition(&mut self, tree: &ast::Expr, scene: &Scene) -> Id<Expr> {
+        let id = self.expr(tree, scene);
+        match self.program.exprs[id].ty {
+            Type::Bool | Type::Error => id,
+            Type::Quantity(_) => {
+                self.report(not_a_condition(tree.span, &self.program.exprs[id].op));
+                self.poisoned(tree.span)
+            }
+        }
+    }
+
+    fn poisoned(&mut self, span: Span) -> Id<Expr> {
+        self.program.exprs.add(Expr { op: Op::Error, ty: Type::Error, span })
+    }
+
+    fn truth(&mut self, op: Op, span: Span) -> Id<Expr> {
+        self.program.exprs.add(Expr { op, ty: Type::Bool, span })
+    }
+
+    fn expr(&mut self, tree: &ast::Expr, scene: &Scene) -> Id<Expr> {
+        let span = tree.span;
+        let op = match &tree.kind {
+            ast::ExprKind::Path(path) => return self.path(path, scene),
+            ast::ExprKind::Not(operand) => Some(Op::Not(self.condition(operand, scene))),
+            ast::ExprKind::And(operands) => Some(Op::And(self.conditions(operands, scene))),
+            ast::ExprKind::Or(operands) => Some(Op::Or(self.conditions(operands, scene))),
+            ast::ExprKind::Compare(op, left, right) => self.compare(*op, left, right, span, scene),
+            ast::ExprKind::After(duration) => self.nanoseconds(duration).map(Op::After),
+            ast::ExprKind::Done => {
+                if scene.reports_done == Some(false) {
+                    self.report(done_never_reported(span));
+                }
+                Some(Op::Done)
+            }
+            ast::ExprKind::Call(call) => return self.history(call, scene),
+            ast::ExprKind::Quantity(_) => {
+                let message = "this is a quantity, not a condition";
+                self.report(Diagnostic::new(&diag::rules::NOT_A_CONDITION, span, message));
+                None
+            }
+            ast::ExprKind::Index(..) => self.later(span, "an element of an array of sensors"),
+            ast::ExprKind::Is(..) => self.later(span, "`is` in a condition"),
+            ast::ExprKind::Negate(_) | ast::ExprKind::Sum(_) | ast::ExprKind::Product(_) => {
+                self.later(span, "arithmetic in a condition")
+            }
+        };
+        match op {
+            Some(op) => self.truth(op, span),
+            None => self.poisoned(span),
+        }
+    }
+
+    fn later(&mut self, span: Span, what: &str) -> Option<Op> {
+        self.report(not_supported(span, what));
+        None
+    }
+
+    fn conditions(&mut self, trees: &[ast::Expr], scene: &Scene) -> Vec<Id<Expr>> {
+        trees.iter().map(|tree| self.condition(tree, scene)).collect()
+    }
+
+    fn path(&mut self, path: &ast::Path, scene: &Scene) -> Id<Expr> {
+        let op = match path.segments.as_slice() {
+            [name] => self.simple_name(name, scene),
+            [sense, event] => self.qualified_name(sense, event, scene),
+            _ => {
+                let message = "no flag or sensor has a name of this form";
+                self.report(Diagnostic::new(&diag::rules::UNKNOWN_NAME, path.span, message));
+                None
+            }
+        };
+        match op {
+            Some(Op::Sensor(sensor)) => {
+                let ty = Type::Quantity(self.program.sensors[sensor].unit.dimension);
+                self.program.exprs.add(Expr { op: Op::Sensor(sensor), ty, span: path.span })
+            }
+            Some(op) => self.truth(op, path.span),
+            None => self.poisoned(path.span),
+        }
+    }
+
+    /// A flag, an event, a sensor or a mode; reports a name that is none of them, or more than one.
+    fn simple_name(&mut self, name: &ast::Name, scene: &Scene) -> Option<Op> {
+        let mut found = Vec::new();
+        if let Some(flag) = scene.flags.get(&name.text) {
+            found.push(("the flag", Op::Flag((*flag)?)));
+        }
+        for &(sense, event) in scene.events.get(&name.text).into_iter().flatten() {
+            found.push(("an event", Op::Event { sense, event }));
+        }
+        if let Some(sensor) = self.find_sensor(name, &scene.sensors) {
+            if self.poison.sensors.contains(&sensor) {
+                return None;
+            }
+            found.push(("the sensor", Op::Sensor(sensor)));
+        }
+        if let Some(&mode) = scene.modes.get(&name.text) {
+            found.push(("the mode", Op::InMode(mode)));
+        }
+        if found.len() > 1 {
+            let meanings: Vec<_> = found.iter().map(|(meaning, _)| *meaning).collect();
+            self.report(ambiguous(name, &meanings));
+            return None;
+        }
+        if found.is_empty() && !scene.incomplete {
+            let sensors = scene.sensors.iter().map(|&sensor| self.program.sensors[sensor].symbol.name.as_str());
+            let diagnostic = unknown(name, "flag, event or sensor", scene.names().chain(sensors));
+            self.report(diagnostic);
+        }
+        found.pop().map(|(_, op)| op)
+    }
+
+    fn qualified_name(&mut self, sense: &ast::Name, event: &ast::Name, scene: &Scene) -> Option<Op> {
+        let Some(&position) = scene.senses.get(&sense.text) else {
+            if !scene.incomplete {
+                self.report(unknown(sense, "sensed network", scene.senses.keys().map(String::as_str)));
+            }
+            return None;
+        };
+        let found = scene.events.get(&event.text).into_iter().flatten().find(|(sense, _)| *sense == position);
+        if found.is_none() {
+            let known = scene.events.iter().filter(|(_, of)| of.iter().any(|(sense, _)| *sense == position));
+            let what = format!("event of `{}`", sense.text);
+            self.report(unknown(event, &what, known.map(|(name, _)| name.as_str())));
+        }
+        found.map(|&(sense, event)| Op::Event { sense, event })
+    }
+
+    /// The sensor of that name, without a report.
+    pub(super) fn find_sensor(&self, name: &ast::Name, sensors: &[Id<ir::Sensor>]) -> Option<Id<ir::Sensor>> {
+        named(&name.text, sensors, |id| &self.program.sensors[id].symbol)
+    }
+
+    /// The sensor of that name; reports one that does not exist. `None` also for one that is broken.
+    pub(super) fn sensor_named(&mut self, name: &ast::Name, sensors: &[Id<ir::Sensor>]) -> Option<Id<ir::Sensor>> {
+        let found = self.find_sensor(name, sensors);
+        if found.is_none() {
+            let known = sensors.iter().map(|&sensor| self.program.sensors[sensor].symbol.name.as_str());
+            let diagnostic = unknown(name, "sensor", known);
+            self.report(diagnostic);
+        }
+        found.filter(|sensor| !self.poison.sensors.contains(sensor))
+    }
+
+    /// `failed`, `rising`, `falling`, `held`, `latched` and `count`.
+    fn history(&mut self, call: &ast::Call, scene: &Scene) -> Id<Expr> {
+        const KNOWN: [(&str, usize); 6] =
+            [("failed", 1), ("rising", 1), ("falling", 1), ("held", 2), ("latched", 1), ("count", 1)];
+        let function = call.path.segments.first().map_or("", |name| name.text.as_str());
+        let Some(&(_, count)) = KNOWN.iter().find(|(known, _)| *known == function && call.path.segments.len() == 1)
+        else {
+            let help = diag::did_you_mean(function, KNOWN.iter().map(|(known, _)| *known));
+            let message = format!("conditions have no function `{function}`");
+            self.report(Diagnostic::new(&diag::rules::UNKNOWN_NAME, call.path.span, message).help_maybe(help));
+            return self.poisoned(call.span);
+        };
+        if call.arguments.len() != count || call.arguments.iter().any(|argument| argument.name.is_some()) {
+            let form = if count == 2 { "held(flag, 200 ms)".to_owned() } else { format!("{function}(...)") };
+            let message = format!("`{function}` takes {count} plain argument{}", if count == 1 { "" } else { "s" });
+            let diagnostic = Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, call.span, message);
+            self.report(diagnostic.help(format!("write `{form}`")));
+            return self.poisoned(call.span);
+        }
+        let arguments: Vec<_> = call.arguments.iter().map(|argument| &argument.value).collect();
+        let op = match (function, arguments.as_slice()) {
+            ("failed", [sensor]) => self.sensor_argument(sensor, scene).map(Op::Failed),
+            ("held", [of, duration]) => {
+                let of = self.condition(of, scene);
+                self.duration_argument(duration).map(|duration| Op::Held(of, duration))
+            }
+            ("rising", [of]) => Some(Op::Rising(self.condition(of, scene))),
+            ("falling", [of]) => Some(Op::Falling(self.condition(of, scene))),
+            ("latched", [of]) => Some(Op::Latched(self.condition(of, scene))),
+            ("count", [of]) => Some(Op::Count(self.condition(of, scene))),
+            _ => None,
+        };
+        match op {
+            Some(op @ Op::Count(_)) => {
+                let ty = Type::Quantity(Dimension::NONE);
+                self.program.exprs.add(Expr { op, ty, span: call.span })
+            }
+            Some(op) => self.truth(op, call.span),
+            None => self.poisoned(call.span),
+        }
+    }
+
+    fn sensor_argument(&mut self, tree: &ast::Expr, scene: &Scene) -> Option<Id<ir::Sensor>> {
+        if let ast::ExprKind::Path(path) = &tree.kind
+            && let [name] = path.segments.as_slice()
+        {
+            return self.sensor_named(name, &scene.sensors);
+        }
+        self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, tree.span, "`failed` takes the name of a sensor"));
+        None
+    }
+
+    fn duration_argument(&mut self, tree: &ast::Expr) -> Option<u64> {
+        if let ast::ExprKind::Quantity(quantity) = &tree.kind {
+            return self.nanoseconds(quantity);
+        }
+        self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, tree.span, "`held` takes a time, such as `200 ms`"));
+        None
+    }
+
+    fn compare(
+        &mut self,
+        op: ast::CompareOp,
+        left: &ast::Expr,
+        right: &ast::Expr,
+        span: Span,
+        scene: &Scene,
+    ) -> Option<Op> {
+        let comparison = match op {
+            ast::CompareOp::Less => Comparison::Less,
+            ast::CompareOp::LessOrEqual => Comparison::LessOrEqual,
+            ast::CompareOp::Greater => Comparison::Greater,
+            ast::CompareOp::GreaterOrEqual => Comparison::GreaterOrEqual,
+            ast::CompareOp::Equal => Comparison::Equal,
+            ast::CompareOp::NotEqual => Comparison::NotEqual,
+        };
+        let (left, right) = (self.operand(left, scene), self.operand(right, scene));
+        let (left, right) = match (left, right) {
+            (Operand::Value(left), Operand::Value(right)) => (Some(left), Some(right)),
+            (Operand::Value(left), Operand::Literal(right)) => (Some(left), self.literal_beside(right, left)),
+            (Operand::Literal(left), Operand::Value(right)) => (self.literal_beside(left, right), Some(right)),
+            (Operand::Literal(left), Operand::Literal(right)) => {
+                let dimension = self.quantity(left)?.dimension;
+                (self.literal(left, dimension, None), self.literal(right, dimension, None))
+            }
+        };
+        let (left, right) = (left?, right?);
+        match (self.program.exprs[left].ty, self.program.exprs[right].ty) {
+            (Type::Quantity(a), Type::Quantity(b)) if a == b => Some(Op::Compare(comparison, left, right)),
+            (Type::Quantity(a), Type::Quantity(b)) => {
+                let message = format!("{a} is compared with {b}");
+                self.report(Diagnostic::new(&diag::rules::DIMENSION_MISMATCH, span, message));
+                None
+            }
+            (Type::Error, _) | (_, Type::Error) => None,
+            (Type::Bool, _) | (_, Type::Bool) => {
+                let message = "something true or false is compared as a quantity";
+                let diagnostic = Diagnostic::new(&diag::rules::DIMENSION_MISMATCH, span, message);
+                self.report(diagnostic.help("write the flag itself, or `not` in front of it"));
+                None
+            }
+        }
+    }
+
+    fn operand<'e>(&mut self, tree: &'e ast::Expr, scene: &Scene) -> Operand<'e> {
+        match &tree.kind {
+            ast::ExprKind::Quantity(quantity) => Operand::Literal(quantity),
+            _ => Operand::Value(self.expr(tree, scene)),
+        }
+    }
+
+    fn literal(&mut self, tree: &ast::Quantity, dimension: Dimension, unit: Option<&Unit>) -> Option<Id<Expr>> {
+        let value = self.quantity_of(tree, dimension, unit)?;
+        let ty = Type::Quantity(dimension);
+        Some(self.program.exprs.add(Expr { op: Op::Number(value), ty, span: tree.span }))
+    }
+
+    /// A literal that is compared with something.
+    fn literal_beside(&mut self, tree: &ast::Quantity, other: Id<Expr>) -> Option<Id<Expr>> {
+        let Expr { op, ty, .. } = self.program.exprs[other].clone();
+        let Type::Quantity(dimension) = ty else {
+            // Reported as a comparison of the wrong types, or already.
+            let ty = Type::Quantity(Dimension::NONE);
+            return Some(self.program.exprs.add(Expr { op: Op::Number(Exact::ZERO), ty, span: tree.span }));
+        };
+        let sensor = match op {
+            Op::Sensor(sensor) => Some(self.program.sensors[sensor].clone()),
+            _ => None,
+        };
+        let id = self.literal(tree, dimension, sensor.as_ref().map(|sensor| &sensor.unit))?;
+        let Op::Number(value) = self.program.exprs[id].op else { return Some(id) };
+        if let Some(sensor) = sensor
+            && (value < sensor.range.0 || value > sensor.range.1)
+        {
+            self.report(outside_range(tree.span, value, &sensor));
+        }
+        if matches!(op, Op::Count(_)) && value.to_integer().is_none_or(|value| value < 0) {
+            self.report(invalid(tree.span, "a count is a whole number"));
+        }
+        Some(id)
+    }
+}
+
+fn not_a_condition(span: Span, op: &Op) -> Diagnostic {
+    let diagnostic = Diagnostic::new(&diag::rules::NOT_A_CONDITION, span, "this is a quantity, not a condition");
+    match op {
+        Op::Count(_) => diagnostic.help("compare it, as in `count(flag) >= 3`"),
+        _ => diagnostic.help("compare it, as in `contact_force > 10 N`"),
+    }
+}
+
+fn done_never_reported(span: Span) -> Diagnostic {
+    Diagnostic::new(&diag::rules::DONE_NEVER_REPORTED, span, "no action of this mode reports completion")
+        .note("`done` holds when an action declared with `-> done` has completed")
+        .help("call such an action in the mode, or leave it with `after`")
+}
+
+fn outside_range(span: Span, value: Exact, sensor: &ir::Sensor) -> Diagnostic {
+    let shown = |value: Exact| sensor.unit.show(value.to_f64());
+    let message = format!("{} lies outside the range of `{}`", shown(value), sensor.symbol.name);
+    Diagnostic::new(&diag::rules::OUTSIDE_RANGE, span, message)
+        .label(sensor.symbol.span, format!("its range is {} .. {}", shown(sensor.range.0), shown(sensor.range.1)))
+        .note("readings are clamped to their range, so this comparison never changes")
+}

@@ -1,0 +1,343 @@
+//! Mode switching diagrams: what they extend, sense and name.
+
+use std::collections::HashMap;
+
+use super::conditions::Scene;
+use super::{Lower, claim, missing_part, not_supported, symbol, unknown};
+use crate::base::{Id, Span};
+use crate::diag::{self, Diagnostic};
+use crate::ir;
+use crate::syntax::ast;
+
+/// What a diagram consists of once everything it extends has been taken over, in source order, the oldest first.
+#[derive(Default)]
+struct Parts<'a> {
+    on: Option<&'a ast::Name>,
+    entry: Option<(&'a ast::Name, Span)>,
+    senses: Vec<&'a ast::Sense>,
+    flags: Vec<&'a ast::Flag>,
+    modes: Vec<&'a ast::Mode>,
+}
+
+/// Replaces what has the same name, or adds.
+fn put<'a, T>(parts: &mut Vec<&'a T>, places: &mut HashMap<&'a str, usize>, name: &'a str, part: &'a T) {
+    match places.get(name) {
+        Some(&place) => parts[place] = part,
+        None => {
+            places.insert(name, parts.len());
+            parts.push(part);
+        }
+    }
+}
+
+fn sense_name(sense: &ast::Sense) -> &ast::Name {
+    sense.alias.as_ref().unwrap_or(&sense.network)
+}
+
+impl<'a> Lower<'a> {
+    pub(super) fn diagram(&mut self, tree: &'a ast::Diagram) {
+        let layer = match tree.layer {
+            ast::Layer::Behavior => ir::Layer::Behavior,
+            ast::Layer::Activity => return self.report(not_supported(tree.name.span, "an activity")),
+            ast::Layer::Goal => return self.report(not_supported(tree.name.span, "a goal")),
+        };
+        let Some(chain) = self.chain(tree) else { return };
+        let parts = self.parts(&chain);
+        let Some(on) = parts.on else {
+            return self.report(
+                missing_part(tree.name.span, format!("nothing says what `{}` runs on", tree.name.text))
+                    .help(format!("write `behavior {} on j5`, or on an interface", tree.name.text)),
+            );
+        };
+        let Some(platform) = self.find_platform(on) else { return };
+        let (sensors, actions) = match platform {
+            ir::Platform::Robot(id) => {
+                let robot = &self.program.robots[id];
+                (robot.sensors.clone(), robot.actions.clone())
+            }
+            ir::Platform::Interface(id) => {
+                let interface = &self.program.interfaces[id];
+                (interface.sensors.clone(), interface.actions.clone())
+            }
+        };
+        let mut scene = Scene { sensors, ..Scene::default() };
+        let senses = self.senses(&parts.senses, &mut scene);
+        let flags = self.flags(&parts.flags, &mut scene);
+        let modes: HashMap<_, _> = parts
+            .modes
+            .iter()
+            .enumerate()
+            .map(|(index, mode)| (mode.name.text.as_str(), Id::new(index as u32)))
+            .collect();
+        let lowered = parts.modes.iter().map(|mode| self.mode(mode, &modes, &actions, &mut scene)).collect();
+        let mut diagram = ir::Diagram {
+            symbol: symbol(&tree.name, tree.doc.as_ref()),
+            layer,
+            platform,
+            senses,
+            flags,
+            modes: lowered,
+            entry: None,
+        };
+        match parts.entry {
+            Some((entry, _)) => diagram.entry = self.mode_named(entry, &modes),
+            None => self.report(missing_entry(tree, &parts.modes)),
+        }
+        let id = self.program.diagrams.add(diagram);
+        self.scopes.diagrams.insert(tree.name.span, id);
+    }
+
+    /// The diagrams to take over, the oldest first; `None` where they extend each other in a circle, or one is missing.
+    fn chain(&mut self, tree: &'a ast::Diagram) -> Option<Vec<&'a ast::Diagram>> {
+        let mut chain = vec![tree];
+        while let Some(name) = &chain.last()?.extends {
+            let base = self.find_diagram_tree(name)?;
+            if chain.iter().any(|known| known.name.span == base.name.span) {
+                let message = format!("`{}` extends itself", base.name.text);
+                self.report(Diagnostic::new(&diag::rules::CIRCULAR, name.span, message));
+                return None;
+            }
+            chain.push(base);
+        }
+        chain.reverse();
+        Some(chain)
+    }
+
+    fn parts(&mut self, chain: &[&'a ast::Diagram]) -> Parts<'a> {
+        let mut parts = Parts::default();
+        let (mut senses, mut flags, mut modes) = (HashMap::new(), HashMap::new(), HashMap::new());
+        for tree in chain {
+            parts.on = tree.on.as_ref().or(parts.on);
+            let mut entry = None;
+            let mut seen = (HashMap::new(), HashMap::new(), HashMap::new());
+            for item in &tree.items {
+                match item {
+                    ast::DiagramItem::Entry { mode, span } => self.once(&mut entry, mode, *span, "the entry"),
+                    ast::DiagramItem::Sense(sense) => {
+                        let name = sense_name(sense);
+                        if claim(&mut seen.0, name, "sensed network", &mut self.diagnostics) {
+                            put(&mut parts.senses, &mut senses, &name.text, sense);
+                        }
+                    }
+                    ast::DiagramItem::Flag(flag) => {
+                        if claim(&mut seen.1, &flag.name, "flag", &mut self.diagnostics) {
+                            put(&mut parts.flags, &mut flags, &flag.name.text, flag);
+                        }
+                    }
+                    ast::DiagramItem::Mode(mode) => {
+                        if claim(&mut seen.2, &mode.name, "mode", &mut self.diagnostics) {
+                            put(&mut parts.modes, &mut modes, &mode.name.text, mode);
+                        }
+                    }
+                    ast::DiagramItem::Error(_) => {}
+                }
+            }
+            parts.entry = entry.or(parts.entry);
+        }
+        parts
+    }
+
+    fn senses(&mut self, trees: &[&'a ast::Sense], scene: &mut Scene) -> Vec<ir::Sense> {
+        let mut senses = Vec::new();
+        for tree in trees {
+            let Some(network) = self.find_network(&tree.network) else {
+                scene.incomplete = true;
+                continue;
+            };
+            let position = senses.len() as u32;
+            let name = sense_name(tree);
+            scene.senses.insert(name.text.clone(), position);
+            for (event, declared) in self.program.networks[network].events.iter().enumerate() {
+                scene.events.entry(declared.symbol.name.clone()).or_default().push((position, event as u32));
+            }
+            // A sense with a broken input keeps its events; the first sensor stands in until it is mended.
+            let inputs = self.sense_inputs(tree, network, &scene.sensors).unwrap_or_default();
+            senses.push(ir::Sense { symbol: symbol(name, None), network, inputs });
+        }
+        senses
+    }
+
+    fn sense_inputs(
+        &mut self,
+        tree: &ast::Sense,
+        network: Id<ir::Network>,
+        sensors: &[Id<ir::Sensor>],
+    ) -> Option<Vec<Id<ir::Sensor>>> {
+        let inputs = self.program.networks[network].inputs.clone();
+        let names = inputs.iter().map(|input| &input.symbol);
+        let order = self.order_arguments(&tree.arguments, names, tree.network.span, "network")?;
+        let mut fed = Vec::new();
+        for (argument, input) in order.into_iter().zip(&inputs) {
+            let sensor = match &argument.value.kind {
+                ast::ExprKind::Path(path) if path.segments.len() == 1 => {
+                    self.sensor_named(path.segments.first()?, sensors)
+                }
+                ast::ExprKind::Index(..) => {
+                    self.report(not_supported(argument.value.span, "an element of an array of sensors"));
+                    None
+                }
+                _ => {
+                    self.report(super::invalid(argument.value.span, "a network is fed by sensors"));
+                    None
+                }
+            };
+            if let Some(sensor) = sensor {
+                let unit = self.program.sensors[sensor].unit.clone();
+                self.check_feed(argument.value.span, input.variable, &unit);
+            }
+            fed.push(sensor);
+        }
+        fed.into_iter().collect()
+    }
+
+    /// Puts arguments into the order of the parameters; reports what does not fit.
+    pub(super) fn order_arguments<'t, 's>(
+        &mut self,
+        arguments: &'t [ast::Argument],
+        parameters: impl Iterator<Item = &'s ir::Symbol>,
+        span: Span,
+        what: &str,
+    ) -> Option<Vec<&'t ast::Argument>> {
+        let parameters: Vec<_> = parameters.map(|symbol| symbol.name.as_str()).collect();
+        let mut placed: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
+        let mut sound = true;
+        for (index, argument) in arguments.iter().enumerate() {
+            let place = match &argument.name {
+                None => Some(index),
+                Some(name) => {
+                    let place = parameters.iter().position(|parameter| *parameter == name.text);
+                    if place.is_none() {
+                        let known = parameters.iter().copied();
+                        self.report(unknown(name, &format!("input of this {what}"), known));
+                        sound = false;
+                    }
+                    place
+                }
+            };
+            let Some(place) = place else { continue };
+            match placed.get_mut(place) {
+                Some(slot @ None) => *slot = Some(argument),
+                Some(Some(first)) => {
+                    let first = first.value.span;
+                    self.report(super::said_twice(argument.value.span, first, "this argument"));
+                    sound = false;
+                }
+                // Counted below.
+                None => {}
+            }
+        }
+        let complete = sound && arguments.len() == parameters.len();
+        if sound && !complete {
+            let message = format!("this {what} takes {} arguments, {} are given", parameters.len(), arguments.len());
+            let note = if parameters.is_empty() { "none".to_owned() } else { parameters.join(", ") };
+            let diagnostic = Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, span, message);
+            self.report(diagnostic.note(format!("it takes: {note}")));
+        }
+        if complete { placed.into_iter().collect() } else { None }
+    }
+
+    /// Lowers flags so that each stands after those it uses, whatever their order in the text.
+    fn flags(&mut self, trees: &[&'a ast::Flag], scene: &mut Scene) -> crate::base::Arena<ir::Flag> {
+        let places: HashMap<&str, usize> =
+            trees.iter().enumerate().map(|(index, flag)| (flag.name.text.as_str(), index)).collect();
+        let uses: Vec<Vec<usize>> = trees
+            .iter()
+            .map(|flag| {
+                let mut names = Vec::new();
+                collect_names(&flag.condition, &mut names);
+                names.iter().filter_map(|name| places.get(name).copied()).collect()
+            })
+            .collect();
+        let mut users: Vec<Vec<usize>> = vec![Vec::new(); trees.len()];
+        for (user, used) in uses.iter().enumerate() {
+            for &used in used {
+                users[used].push(user);
+            }
+        }
+        let mut waiting: Vec<usize> = uses.iter().map(Vec::len).collect();
+        let mut ready: std::collections::VecDeque<usize> =
+            (0..trees.len()).filter(|&flag| waiting[flag] == 0).collect();
+        let mut lowered = crate::base::Arena::default();
+        let mut placed = vec![false; trees.len()];
+        while let Some(next) = ready.pop_front() {
+            let tree = trees[next];
+            let condition = self.condition(&tree.condition, scene);
+            let id = lowered.add(ir::Flag { symbol: symbol(&tree.name, tree.doc.as_ref()), condition });
+            scene.flags.insert(tree.name.text.clone(), Some(id));
+            placed[next] = true;
+            for &user in &users[next] {
+                waiting[user] -= 1;
+                if waiting[user] == 0 {
+                    ready.push_back(user);
+                }
+            }
+        }
+        for (tree, _) in trees.iter().zip(&placed).filter(|(_, placed)| !**placed) {
+            scene.flags.insert(tree.name.text.clone(), None);
+        }
+        if let Some(first) = placed.iter().position(|placed| !placed) {
+            let circle = circle(first, &uses, &placed);
+            self.report(circular_flags(&circle.iter().map(|&flag| &trees[flag].name).collect::<Vec<_>>()));
+        }
+        lowered
+    }
+}
+
+/// Flags that need each other in a circle, starting among those that could not be placed.
+fn circle(start: usize, uses: &[Vec<usize>], placed: &[bool]) -> Vec<usize> {
+    let mut path = vec![start];
+    loop {
+        let next = uses[path[path.len() - 1]].iter().copied().find(|&used| !placed[used]);
+        let Some(next) = next else { return path };
+        if let Some(place) = path.iter().position(|&flag| flag == next) {
+            return path.split_off(place);
+        }
+        path.push(next);
+    }
+}
+
+fn circular_flags(names: &[&ast::Name]) -> Diagnostic {
+    let list: Vec<_> = names.iter().chain(names.first()).map(|name| format!("`{}`", name.text)).collect();
+    let span = names.first().map(|name| name.span).unwrap_or_default();
+    Diagnostic::new(&diag::rules::CIRCULAR, span, format!("flags need each other in a circle: {}", list.join(", ")))
+        .help("a flag that looks at its own past reads it through `rising`, `held`, `latched` or `count` of another")
+}
+
+/// The simple names in a condition. Recursion is as deep as parentheses, which the parser limits.
+fn collect_names<'e>(expr: &'e ast::Expr, names: &mut Vec<&'e str>) {
+    match &expr.kind {
+        ast::ExprKind::Path(path) => {
+            if let [name] = path.segments.as_slice() {
+                names.push(&name.text);
+            }
+        }
+        ast::ExprKind::Not(inner) | ast::ExprKind::Negate(inner) | ast::ExprKind::Is(inner, _) => {
+            collect_names(inner, names);
+        }
+        ast::ExprKind::And(operands) | ast::ExprKind::Or(operands) => {
+            for operand in operands {
+                collect_names(operand, names);
+            }
+        }
+        ast::ExprKind::Compare(_, left, right) => {
+            collect_names(left, names);
+            collect_names(right, names);
+        }
+        ast::ExprKind::Call(call) => {
+            for argument in &call.arguments {
+                collect_names(&argument.value, names);
+            }
+        }
+        ast::ExprKind::Sum(terms) => terms.iter().map(|(_, term)| term).for_each(|term| collect_names(term, names)),
+        ast::ExprKind::Product(of) => {
+            of.iter().map(|(_, factor)| factor).for_each(|factor| collect_names(factor, names));
+        }
+        ast::ExprKind::Index(..) | ast::ExprKind::Quantity(_) | ast::ExprKind::After(_) | ast::ExprKind::Done => {}
+    }
+}
+
+fn missing_entry(tree: &ast::Diagram, modes: &[&ast::Mode]) -> Diagnostic {
+    let help = modes.first().map(|mode| format!("write `entry {}`", mode.name.text));
+    let message = format!("`{}` does not say in which mode it starts", tree.name.text);
+    Diagnostic::new(&diag::rules::MISSING_ENTRY, tree.name.span, message).help_maybe(help)
+}

@@ -1,0 +1,274 @@
+//! Variables, networks and their events.
+
+use std::collections::HashMap;
+
+use super::quantities::mismatch;
+use super::{Lower, claim, fail_reading, missing_part, not_supported, symbol};
+use crate::base::{Exact, Unit};
+use crate::diag::{self, Diagnostic};
+use crate::ir;
+use crate::syntax::ast;
+
+/// The shapes that are lines between corners: name, number of parameters, their names.
+const SHAPES: &[(&str, usize, &str)] = &[
+    ("triangle", 3, "(a, b, c)"),
+    ("trapezoid", 4, "(a, b, c, d)"),
+    ("ramp", 2, "(zero_at, one_at)"),
+    ("rectangle", 2, "(a, b)"),
+    ("singleton", 1, "(x)"),
+];
+
+/// Shapes that are curves; they are read but not evaluated yet.
+const CURVES: &[&str] = &["gaussian", "gaussian2", "bell", "sigmoid", "s_shape", "z_shape", "pi_shape", "cosine"];
+
+impl Lower<'_> {
+    pub(super) fn variable(&mut self, tree: &ast::Variable) {
+        let Some(unit) = self.unit(&tree.unit) else { return };
+        let range = match &tree.range {
+            Some(range) => self.range_in(range, &unit),
+            None => {
+                self.report(missing_range(&tree.name, "variable", &unit));
+                None
+            }
+        };
+        let Some(range) = range else { return };
+        let fails = self.fail_readings(&tree.fails, &unit, range);
+        let mut seen = HashMap::new();
+        let mut terms = Vec::new();
+        for term in &tree.terms {
+            if !claim(&mut seen, &term.name, "term", &mut self.diagnostics) {
+                continue;
+            }
+            // A term whose shape is broken keeps its place, so that rules that name it are not reported too.
+            let shape = self.shape(&term.shape, &unit).unwrap_or(ir::Shape::Rectangle([range.0, range.1]));
+            let symbol = symbol(&term.name, term.doc.as_ref());
+            terms.push(ir::Term { symbol, shape, shape_span: term.shape.span });
+        }
+        if tree.terms.is_empty() {
+            self.report(missing_part(tree.name.span, format!("variable `{}` has no term", tree.name.text)));
+        }
+        let symbol = symbol(&tree.name, tree.doc.as_ref());
+        let id = self.program.variables.add(ir::Variable { symbol, unit, range, fails, terms });
+        self.scopes.variables.insert(tree.name.span, id);
+    }
+
+    fn shape(&mut self, shape: &ast::Shape, unit: &Unit) -> Option<ir::Shape> {
+        match &shape.kind {
+            ast::ShapeKind::Function { function, parameters } => self.function(function, parameters, unit),
+            ast::ShapeKind::Points(points) => {
+                let mut corners = Vec::new();
+                for (at, degree) in points {
+                    let at = self.quantity_in(at, unit);
+                    let degree_value = self.quantity_in(degree, &Unit::one());
+                    let (at, degree_value) = (at?, degree_value?);
+                    if degree_value < Exact::ZERO || degree_value > Exact::ONE {
+                        self.report(super::invalid(degree.span, "a degree of membership is between 0 and 1"));
+                        return None;
+                    }
+                    corners.push((at, degree_value));
+                }
+                if corners.is_empty() {
+                    self.report(missing_part(shape.span, "a shape needs at least one point"));
+                    return None;
+                }
+                Some(ir::Shape::Points(corners))
+            }
+            ast::ShapeKind::Term(_)
+            | ast::ShapeKind::Not(_)
+            | ast::ShapeKind::Hedge(..)
+            | ast::ShapeKind::And(_)
+            | ast::ShapeKind::Or(_) => {
+                self.report(not_supported(shape.span, "a term built from others"));
+                None
+            }
+        }
+    }
+
+    fn function(&mut self, function: &ast::Name, parameters: &[ast::Quantity], unit: &Unit) -> Option<ir::Shape> {
+        let name = function.text.as_str();
+        if CURVES.contains(&name) {
+            self.report(not_supported(function.span, &format!("the shape `{name}`")));
+            return None;
+        }
+        let Some(&(_, count, form)) = SHAPES.iter().find(|(known, ..)| *known == name) else {
+            let known = SHAPES.iter().map(|(known, ..)| *known).chain(CURVES.iter().copied()).chain(["points"]);
+            self.report(super::unknown(function, "shape", known));
+            return None;
+        };
+        if parameters.len() != count {
+            let message = format!("`{name}` takes {count} parameters, {} are given", parameters.len());
+            let diagnostic = Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, function.span, message);
+            self.report(diagnostic.help(format!("write `{name}{form}`")));
+            return None;
+        }
+        let corners: Vec<_> = parameters.iter().map(|parameter| self.quantity_in(parameter, unit)).collect();
+        let corners: Vec<Exact> = corners.into_iter().collect::<Option<_>>()?;
+        match (name, corners.as_slice()) {
+            ("triangle", &[a, b, c]) => Some(ir::Shape::Triangle([a, b, c])),
+            ("trapezoid", &[a, b, c, d]) => Some(ir::Shape::Trapezoid([a, b, c, d])),
+            ("ramp", &[zero_at, one_at]) => Some(ir::Shape::Ramp { zero_at, one_at }),
+            ("rectangle", &[low, high]) => Some(ir::Shape::Rectangle([low, high])),
+            ("singleton", &[at]) => Some(ir::Shape::Singleton(at)),
+            _ => None,
+        }
+    }
+
+    /// The ways to fail of a sensor or variable, each within its range.
+    pub(super) fn fail_readings(
+        &mut self,
+        trees: &[ast::FailReading],
+        unit: &Unit,
+        range: (Exact, Exact),
+    ) -> Vec<ir::FailReading> {
+        let mut readings = Vec::new();
+        for tree in trees {
+            match tree {
+                ast::FailReading::Value(quantity) => {
+                    let Some(value) = self.quantity_in(quantity, unit) else { continue };
+                    if value < range.0 || value > range.1 {
+                        let shown = |end: Exact| unit.show(end.to_f64());
+                        let message = format!(
+                            "this fail reading lies outside the range {} .. {}",
+                            shown(range.0),
+                            shown(range.1)
+                        );
+                        let rule = &diag::rules::FAIL_READING_OUTSIDE_RANGE;
+                        self.report(Diagnostic::new(rule, quantity.span, message));
+                    } else {
+                        readings.push(ir::FailReading::Value(value));
+                    }
+                }
+                ast::FailReading::Set(span) | ast::FailReading::Clear(span) => {
+                    self.report(super::invalid(*span, "only a contact fails set or clear; this sensor gives a number"));
+                }
+                other => readings.extend(fail_reading(other)),
+            }
+        }
+        readings
+    }
+
+    pub(super) fn network(&mut self, tree: &ast::Network) {
+        let mut seen = HashMap::new();
+        let mut inputs = Vec::new();
+        let mut sound = true;
+        for input in &tree.inputs {
+            let first = claim(&mut seen, &input.name, "input", &mut self.diagnostics);
+            match self.find_variable(&input.variable) {
+                Some(variable) if first => {
+                    inputs.push(ir::NetworkInput { symbol: symbol(&input.name, None), variable });
+                }
+                _ => sound = false,
+            }
+        }
+        if let Some(setting) = tree.settings.first() {
+            self.report(not_supported(setting.span, "a choice of inference"));
+        }
+        // Without all of its inputs every row of the network would be reported; one fault is one diagnostic.
+        if !sound {
+            return;
+        }
+        let mut network = ir::Network { symbol: symbol(&tree.name, tree.doc.as_ref()), inputs, events: Vec::new() };
+        let mut seen = HashMap::new();
+        for item in &tree.items {
+            match item {
+                ast::NetworkItem::Event(event) => {
+                    let first = claim(&mut seen, &event.name, "event", &mut self.diagnostics);
+                    let event = self.event(event, &network);
+                    if first {
+                        network.events.push(event);
+                    }
+                }
+                ast::NetworkItem::Output(output) => self.report(not_supported(output.name.span, "a continuous output")),
+                // Rules set outputs, and those were reported.
+                ast::NetworkItem::Rule(_) | ast::NetworkItem::Error(_) => {}
+            }
+        }
+        let id = self.program.networks.add(network);
+        self.scopes.networks.insert(tree.name.span, id);
+    }
+
+    fn event(&mut self, tree: &ast::Event, network: &ir::Network) -> ir::Event {
+        let over = self.event_inputs(tree, network);
+        let mut sides = (Vec::new(), Vec::new());
+        for side in &tree.sides {
+            let rules = match side.kind {
+                ast::SideKind::Contributor => &mut sides.0,
+                ast::SideKind::Detractor => &mut sides.1,
+            };
+            for rule in &side.rules {
+                rules.extend(self.event_rule(rule, network, &over));
+            }
+        }
+        if !tree.sides.iter().any(|side| side.kind == ast::SideKind::Contributor && !side.rules.is_empty()) {
+            let message = format!("no rule contributes to `{}`", tree.name.text);
+            let diagnostic = Diagnostic::new(&diag::rules::NO_CONTRIBUTOR, tree.name.span, message);
+            self.report(diagnostic.note("an event is set when its contributor outweighs its detractor"));
+        }
+        let hysteresis = self.option(&tree.hysteresis, "`hysteresis`", |lower, quantity| {
+            let value = lower.quantity_in(quantity, &Unit::one())?;
+            if value < Exact::ZERO || value > Exact::ONE {
+                lower.report(super::invalid(quantity.span, "a hysteresis is between 0 and 1"));
+                return None;
+            }
+            Some(value)
+        });
+        ir::Event {
+            symbol: symbol(&tree.name, tree.doc.as_ref()),
+            contributor: sides.0,
+            detractor: sides.1,
+            hysteresis: hysteresis.unwrap_or(Exact::ZERO),
+            hold: self.option(&tree.hold, "`hold`", Self::nanoseconds).unwrap_or(0),
+            confirm: self.option(&tree.confirm, "`confirm`", Self::nanoseconds).unwrap_or(0),
+        }
+    }
+
+    /// An option that may be written once.
+    fn option<T>(
+        &mut self,
+        written: &[ast::Quantity],
+        what: &str,
+        lower: impl Fn(&mut Self, &ast::Quantity) -> Option<T>,
+    ) -> Option<T> {
+        let first = written.first()?;
+        if let Some(second) = written.get(1) {
+            self.report(super::said_twice(second.span, first.span, what));
+        }
+        lower(self, first)
+    }
+
+    /// The inputs that the rows of an event name, in order.
+    fn event_inputs(&mut self, tree: &ast::Event, network: &ir::Network) -> Vec<u32> {
+        let Some(over) = &tree.over else { return (0..network.inputs.len() as u32).collect() };
+        let mut inputs = Vec::new();
+        for name in over {
+            match super::position(&name.text, network.inputs.iter().map(|input| &input.symbol)) {
+                Some(input) if inputs.contains(&(input as u32)) => {
+                    self.report(super::invalid(name.span, format!("`{}` is named twice", name.text)));
+                }
+                Some(input) => inputs.push(input as u32),
+                None => {
+                    let known = network.inputs.iter().map(|input| input.symbol.name.as_str());
+                    self.report(super::unknown(name, "input of this network", known));
+                }
+            }
+        }
+        inputs
+    }
+
+    /// Checks that a network's input can be fed by something of a unit.
+    pub(super) fn check_feed(&mut self, span: crate::base::Span, variable: crate::base::Id<ir::Variable>, fed: &Unit) {
+        let wanted = self.program.variables[variable].unit.dimension;
+        if wanted != fed.dimension {
+            let name = &self.program.variables[variable].symbol.name;
+            let diagnostic =
+                mismatch(span, fed.dimension, wanted).note(format!("the input takes the variable `{name}`"));
+            self.report(diagnostic);
+        }
+    }
+}
+
+pub(super) fn missing_range(name: &ast::Name, what: &str, unit: &Unit) -> Diagnostic {
+    missing_part(name.span, format!("{what} `{}` has no range", name.text))
+        .note("a reading outside its range is clamped to it, so the range must be known")
+        .help(format!("write `{}: {} in 0 .. 10` with its own ends", name.text, unit.text))
+}

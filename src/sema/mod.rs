@@ -1,0 +1,199 @@
+//! Syntax trees to the typed program: names to ids, units to SI, types checked.
+//!
+//! Imports: base, diag, ir, syntax
+//! Crates: –
+
+mod conditions;
+mod diagrams;
+mod fusion;
+mod modes;
+mod quantities;
+mod robots;
+mod rules;
+mod scenarios;
+mod scope;
+mod worlds;
+
+pub use scope::Import;
+
+use std::collections::{HashMap, HashSet};
+
+use crate::base::{FileId, Id, Sources, Span};
+use crate::diag::{self, Diagnostic};
+use crate::ir::{self, Program, Symbol};
+use crate::syntax::ast;
+use scope::Scopes;
+
+/// A parsed file with what its imports resolved to.
+#[derive(Debug, Clone)]
+pub struct Unit {
+    /// Which file.
+    pub file: FileId,
+    /// Its syntax tree.
+    pub tree: ast::File,
+    /// The files it imports; imports that led nowhere are left out.
+    pub imports: Vec<Import>,
+}
+
+/// Lowers all files of a compilation together. Total: what is broken is reported and left out, or stands in the program
+/// as poison. Linear in the size of the files.
+pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
+    let mut diagnostics = Vec::new();
+    let scopes = Scopes::collect(units, &mut diagnostics);
+    let mut lower =
+        Lower { units, sources, scopes, program: Program::default(), poison: Poison::default(), diagnostics };
+    for phase in [Phase::Variables, Phase::Networks, Phase::Interfaces, Phase::Robots, Phase::Worlds, Phase::Diagrams] {
+        lower.run(phase);
+    }
+    lower.run(Phase::Scenarios);
+    (lower.program, lower.diagnostics)
+}
+
+/// Declarations are lowered in an order in which each finds what it names.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    Variables,
+    Networks,
+    Interfaces,
+    Robots,
+    Worlds,
+    Diagrams,
+    Scenarios,
+}
+
+/// What lowering has so far. The program only grows; diagnostics are collected.
+struct Lower<'a> {
+    units: &'a [Unit],
+    sources: &'a Sources,
+    scopes: Scopes<'a>,
+    program: Program,
+    poison: Poison,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// What was declared wrongly and reported. It is in the program so that names resolve, and nothing about its use is
+/// reported again.
+#[derive(Default)]
+struct Poison {
+    sensors: HashSet<Id<ir::Sensor>>,
+    actions: HashSet<Id<ir::Action>>,
+}
+
+impl<'a> Lower<'a> {
+    fn run(&mut self, phase: Phase) {
+        let units = self.units;
+        for unit in units {
+            for item in &unit.tree.items {
+                match (phase, item) {
+                    (Phase::Variables, ast::Item::Variable(variable)) => self.variable(variable),
+                    (Phase::Networks, ast::Item::Network(network)) => self.network(network),
+                    (Phase::Interfaces, ast::Item::Interface(interface)) => self.interface(interface),
+                    (Phase::Robots, ast::Item::Robot(robot)) => self.robot(robot),
+                    (Phase::Worlds, ast::Item::World(world)) => self.world(world),
+                    (Phase::Diagrams, ast::Item::Diagram(diagram)) => self.diagram(diagram),
+                    (Phase::Scenarios, ast::Item::Scenario(scenario)) => self.scenario(scenario),
+                    (Phase::Variables, ast::Item::Arbiter(ast::Arbiter { name, .. })) => {
+                        self.report(not_supported(name.span, "an arbiter"));
+                    }
+                    (Phase::Variables, ast::Item::Team(ast::Team { name, .. })) => {
+                        self.report(not_supported(name.span, "a team"));
+                    }
+                    (Phase::Variables, ast::Item::Property(ast::Property { name, .. })) => {
+                        self.report(not_supported(name.span, "a property"));
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Reports a second thing where there may be one; keeps the first.
+    fn once<T>(&mut self, kept: &mut Option<(T, Span)>, value: T, span: Span, what: &str) {
+        match kept {
+            None => *kept = Some((value, span)),
+            Some((_, first)) => {
+                let first = *first;
+                self.report(said_twice(span, first, what));
+            }
+        }
+    }
+}
+
+fn symbol(name: &ast::Name, doc: Option<&ast::Doc>) -> Symbol {
+    let doc = doc.map(|doc| doc.lines.join("\n")).unwrap_or_default();
+    Symbol { name: name.text.clone(), span: name.span, doc }
+}
+
+/// The position of a name among symbols.
+fn position<'s>(name: &str, symbols: impl IntoIterator<Item = &'s Symbol>) -> Option<usize> {
+    symbols.into_iter().position(|symbol| symbol.name == name)
+}
+
+/// What is named so among the sensors or actions of a robot or interface.
+fn named<'s, T>(name: &str, ids: &[Id<T>], symbol: impl Fn(Id<T>) -> &'s Symbol) -> Option<Id<T>> {
+    ids.iter().copied().find(|&id| symbol(id).name == name)
+}
+
+fn unknown<'s>(name: &ast::Name, what: &str, candidates: impl IntoIterator<Item = &'s str>) -> Diagnostic {
+    let message = format!("no {what} is named `{}`", name.text);
+    Diagnostic::new(&diag::rules::UNKNOWN_NAME, name.span, message)
+        .help_maybe(diag::did_you_mean(&name.text, candidates))
+}
+
+fn ambiguous(name: &ast::Name, meanings: &[&str]) -> Diagnostic {
+    let message = format!("`{}` could mean {}", name.text, meanings.join(" or "));
+    Diagnostic::new(&diag::rules::AMBIGUOUS_NAME, name.span, message)
+        .help(format!("write `network.{}` for an event, or rename one of them", name.text))
+}
+
+fn duplicate(name: &ast::Name, first: Span, what: &str) -> Diagnostic {
+    let message = format!("{what} `{}` is declared twice", name.text);
+    Diagnostic::new(&diag::rules::DUPLICATE_NAME, name.span, message)
+        .here("declared again here")
+        .label(first, "first declared here")
+        .help("rename one of them")
+}
+
+fn said_twice(span: Span, first: Span, what: &str) -> Diagnostic {
+    Diagnostic::new(&diag::rules::TWICE, span, format!("{what} is given twice"))
+        .here("given again here")
+        .label(first, "first given here")
+        .help("keep one of them")
+}
+
+fn missing_part(span: Span, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(&diag::rules::MISSING_PART, span, message)
+}
+
+fn invalid(span: Span, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(&diag::rules::INVALID_VALUE, span, message)
+}
+
+fn not_supported(span: Span, what: &str) -> Diagnostic {
+    let message = format!("{what} cannot be compiled by this version");
+    Diagnostic::new(&diag::rules::NOT_SUPPORTED, span, message)
+        .note("the text is part of the language and was read; its meaning is not implemented yet")
+}
+
+/// Adds a symbol's name to those seen, or reports that it stands there already.
+fn claim(seen: &mut HashMap<String, Span>, name: &ast::Name, what: &str, diagnostics: &mut Vec<Diagnostic>) -> bool {
+    if let Some(&first) = seen.get(&name.text) {
+        diagnostics.push(duplicate(name, first, what));
+        return false;
+    }
+    seen.insert(name.text.clone(), name.span);
+    true
+}
+
+/// A fail reading as the IR has it; `None` where it is not a quantity's.
+fn fail_reading(kind: &ast::FailReading) -> Option<ir::FailReading> {
+    match kind {
+        ast::FailReading::Any(_) => Some(ir::FailReading::Any),
+        ast::FailReading::Absent(_) => Some(ir::FailReading::Absent),
+        ast::FailReading::Value(_) | ast::FailReading::Set(_) | ast::FailReading::Clear(_) => None,
+    }
+}

@@ -1,0 +1,168 @@
+//! Modes: their commands, and their ways out.
+
+use std::collections::HashMap;
+
+use super::conditions::Scene;
+use super::quantities::empty_range;
+use super::{Lower, invalid, named, not_supported, symbol, unknown};
+use crate::base::{Exact, Id, Unit};
+use crate::diag::{self, Diagnostic};
+use crate::ir;
+use crate::syntax::ast;
+
+type Modes<'t> = HashMap<&'t str, Id<ir::Mode>>;
+
+impl Lower<'_> {
+    pub(super) fn mode(
+        &mut self,
+        tree: &ast::Mode,
+        modes: &Modes<'_>,
+        actions: &[Id<ir::Action>],
+        scene: &mut Scene,
+    ) -> ir::Mode {
+        if let Some(child) = &tree.child {
+            let message = "a mode of a behavior cannot run a diagram";
+            let diagnostic = Diagnostic::new(&diag::rules::WRONG_KIND, child.diagram.span, message);
+            self.report(diagnostic.note("a behavior's modes call actions; an activity's modes run behaviors"));
+        }
+        let mut mode = ir::Mode {
+            symbol: symbol(&tree.name, tree.doc.as_ref()),
+            is_final: tree.is_final.is_some(),
+            requires: Vec::new(),
+            otherwise: tree.otherwise.as_ref().and_then(|name| self.mode_named(name, modes)),
+            actions: Vec::new(),
+            on_enter: Vec::new(),
+            on_exit: Vec::new(),
+            transitions: Vec::new(),
+        };
+        for name in &tree.requires {
+            let sensor = self.sensor_named(name, &scene.sensors);
+            mode.requires.extend(sensor.map(|sensor| (sensor, name.span)));
+        }
+        for item in &tree.items {
+            match item {
+                ast::ModeItem::Action(call) => mode.actions.extend(self.call(call, actions)),
+                ast::ModeItem::OnEnter(calls, _) => {
+                    mode.on_enter.extend(calls.iter().filter_map(|call| self.call(call, actions)).collect::<Vec<_>>());
+                }
+                ast::ModeItem::OnExit(calls, _) => {
+                    mode.on_exit.extend(calls.iter().filter_map(|call| self.call(call, actions)).collect::<Vec<_>>());
+                }
+                ast::ModeItem::Decide(decide) => self.report(not_supported(decide.span, "a decision table")),
+                ast::ModeItem::Transition(_) | ast::ModeItem::Error(_) => {}
+            }
+        }
+        let calls = tree.items.iter().filter(|item| matches!(item, ast::ModeItem::Action(_))).count();
+        let reports = mode.actions.iter().any(|call| self.program.actions[call.action].reports_done);
+        // A broken call was reported; it may be the one that would have reported completion.
+        scene.reports_done = Some(reports || mode.actions.len() < calls);
+        let own = modes.get(tree.name.text.as_str()).copied();
+        for item in &tree.items {
+            if let ast::ModeItem::Transition(transition) = item {
+                mode.transitions.extend(self.transition(transition, own, modes, scene));
+            }
+        }
+        scene.reports_done = None;
+        mode.transitions.sort_by_key(|transition| transition.priority);
+        mode
+    }
+
+    fn transition(
+        &mut self,
+        tree: &ast::Transition,
+        own: Option<Id<ir::Mode>>,
+        modes: &Modes<'_>,
+        scene: &Scene,
+    ) -> Option<ir::Transition> {
+        let priority = self.whole(&tree.priority, 1, "a priority");
+        let condition = self.condition(&tree.condition, scene);
+        let (target, again) = match &tree.target {
+            ast::Target::Mode(name) => (self.mode_named(name, modes), false),
+            ast::Target::Again(_) => (own, true),
+        };
+        let priority = priority?.try_into().unwrap_or(u32::MAX);
+        let priority_span = tree.priority.span;
+        Some(ir::Transition { priority, priority_span, condition, target, again, span: tree.span })
+    }
+
+    /// The mode of that name; reports one that does not exist.
+    pub(super) fn mode_named(&mut self, name: &ast::Name, modes: &Modes<'_>) -> Option<Id<ir::Mode>> {
+        let found = modes.get(name.text.as_str()).copied();
+        if found.is_none() {
+            self.report(unknown(name, "mode", modes.keys().copied()));
+        }
+        found
+    }
+
+    fn call(&mut self, tree: &ast::Call, actions: &[Id<ir::Action>]) -> Option<ir::Call> {
+        let [name] = tree.path.segments.as_slice() else {
+            let message = "an action has a simple name";
+            self.report(Diagnostic::new(&diag::rules::UNKNOWN_NAME, tree.path.span, message));
+            return None;
+        };
+        let Some(action) = named(&name.text, actions, |id| &self.program.actions[id].symbol) else {
+            let known = actions.iter().map(|&id| self.program.actions[id].symbol.name.as_str());
+            let diagnostic = unknown(name, "action", known);
+            self.report(diagnostic);
+            return None;
+        };
+        if self.poison.actions.contains(&action) {
+            return None;
+        }
+        let parameters = self.program.actions[action].parameters.clone();
+        let names = parameters.iter().map(|parameter| &parameter.symbol);
+        let order = self.order_arguments(&tree.arguments, names, tree.span, "action")?;
+        let arguments: Vec<_> = order
+            .into_iter()
+            .zip(&parameters)
+            .map(|(argument, parameter)| self.argument(&argument.value, &parameter.unit))
+            .collect();
+        let arguments = arguments.into_iter().collect::<Option<_>>()?;
+        Some(ir::Call { action, arguments, span: tree.span })
+    }
+
+    fn argument(&mut self, tree: &ast::Expr, unit: &Unit) -> Option<ir::Argument> {
+        match &tree.kind {
+            ast::ExprKind::Quantity(quantity) => {
+                self.quantity_of(quantity, unit.dimension, Some(unit)).map(ir::Argument::Constant)
+            }
+            ast::ExprKind::Call(call) if call.path.segments.iter().map(|name| name.text.as_str()).eq(["random"]) => {
+                self.random(call, unit)
+            }
+            ast::ExprKind::Path(_) => {
+                self.report(not_supported(tree.span, "a command computed from a network"));
+                None
+            }
+            _ => {
+                let diagnostic = invalid(tree.span, "an action takes quantities");
+                self.report(diagnostic.help("write a number with its unit, or `random(low, high)`"));
+                None
+            }
+        }
+    }
+
+    fn random(&mut self, call: &ast::Call, unit: &Unit) -> Option<ir::Argument> {
+        let ends: Vec<Option<Exact>> = call
+            .arguments
+            .iter()
+            .map(|argument| match &argument.value.kind {
+                ast::ExprKind::Quantity(quantity) => self.quantity_of(quantity, unit.dimension, Some(unit)),
+                _ => {
+                    self.report(invalid(argument.value.span, "`random` takes two quantities"));
+                    None
+                }
+            })
+            .collect();
+        let [low, high] = ends.as_slice() else {
+            let message = format!("`random` takes 2 arguments, {} are given", ends.len());
+            self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, call.span, message));
+            return None;
+        };
+        let (low, high) = ((*low)?, (*high)?);
+        if low >= high {
+            self.report(empty_range(call.span));
+            return None;
+        }
+        Some(ir::Argument::Random { low, high })
+    }
+}

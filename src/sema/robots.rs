@@ -1,0 +1,435 @@
+//! Interfaces and robots: sensors, actions, bodies.
+
+use std::collections::HashMap;
+
+use super::fusion::missing_range;
+use super::quantities::mismatch;
+use super::{Lower, claim, invalid, missing_part, named, not_supported, symbol, unknown};
+use crate::base::{Dimension, Exact, Id, Span, Unit};
+use crate::diag::{self, Diagnostic};
+use crate::ir::{self, BodyCommandKind, SensorSource};
+use crate::syntax::ast;
+
+/// The places where a differential-drive body can be measured, and what each gives.
+const SOURCES: &[(&str, SensorSource, Dimension)] = &[
+    ("wheel.left.acceleration", SensorSource::LeftWheelAcceleration, Dimension::of([1, 0, -2, 0, 0, 0])),
+    ("wheel.right.acceleration", SensorSource::RightWheelAcceleration, Dimension::of([1, 0, -2, 0, 0, 0])),
+    ("wheel.left.speed", SensorSource::LeftWheelSpeed, Dimension::SPEED),
+    ("wheel.right.speed", SensorSource::RightWheelSpeed, Dimension::SPEED),
+    ("wedge.force", SensorSource::WedgeForce, Dimension::of([1, 1, -2, 0, 0, 0])),
+];
+
+const TURN_RATE: Dimension = Dimension::of([0, 0, -1, 0, 0, 1]);
+
+/// The commands of a differential-drive body with the dimensions of their arguments.
+const COMMANDS: &[(&str, BodyCommandKind, &[Dimension])] = &[
+    ("body.stop", BodyCommandKind::Stop, &[]),
+    ("body.velocity", BodyCommandKind::Velocity, &[Dimension::SPEED, TURN_RATE]),
+    ("body.arc", BodyCommandKind::Arc, &[Dimension::SPEED, Dimension::LENGTH]),
+    ("body.rotate", BodyCommandKind::Rotate, &[Dimension::ANGLE]),
+];
+
+const ACCELERATION: Dimension = Dimension::of([1, 0, -2, 0, 0, 0]);
+
+/// The parameters of a differential-drive body: name, dimension, number of values, default.
+const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
+    ("mass", Dimension::MASS, 1, None),
+    ("size", Dimension::LENGTH, 2, None),
+    ("track", Dimension::LENGTH, 1, None),
+    ("traction", Dimension::NONE, 1, None),
+    ("lag", Dimension::TIME, 1, Some(0.15)),
+    ("acceleration_limit", ACCELERATION, 1, Some(2.0)),
+    ("impact_time", Dimension::TIME, 1, Some(0.05)),
+    ("tracking_noise", ACCELERATION, 1, Some(0.2)),
+];
+
+impl Lower<'_> {
+    pub(super) fn interface(&mut self, tree: &ast::Interface) {
+        let members = self.members(&tree.items, false);
+        if let Some((_, span)) = members.body {
+            self.report(invalid(span, "an interface has no body").help("bodies belong to robots"));
+        }
+        let symbol = symbol(&tree.name, tree.doc.as_ref());
+        let interface = ir::Interface { symbol, sensors: members.sensors, actions: members.actions };
+        let id = self.program.interfaces.add(interface);
+        self.scopes.interfaces.insert(tree.name.span, id);
+    }
+
+    pub(super) fn robot(&mut self, tree: &ast::Robot) {
+        let has_body = tree.items.iter().any(|item| matches!(item, ast::RobotItem::Body(_)));
+        let members = self.members(&tree.items, has_body);
+        let provides: Vec<_> = tree
+            .provides
+            .iter()
+            .filter_map(|name| self.find_interface(name).map(|interface| (interface, name.span)))
+            .collect();
+        for &(interface, span) in &provides {
+            self.check_promise(&tree.name, interface, span, &members);
+        }
+        let robot = ir::Robot {
+            symbol: symbol(&tree.name, tree.doc.as_ref()),
+            provides: provides.into_iter().map(|(interface, _)| interface).collect(),
+            body: members.body.and_then(|(body, _)| body),
+            sensors: members.sensors,
+            actions: members.actions,
+        };
+        let id = self.program.robots.add(robot);
+        self.scopes.robots.insert(tree.name.span, id);
+    }
+
+    fn members(&mut self, items: &[ast::RobotItem], has_body: bool) -> Members {
+        let mut members = Members::default();
+        let mut seen = HashMap::new();
+        for item in items {
+            match item {
+                ast::RobotItem::Body(body) => {
+                    let lowered = self.body(body);
+                    self.once(&mut members.body, lowered, body.span, "a body");
+                }
+                ast::RobotItem::Sensor(sensor) => {
+                    if claim(&mut seen, &sensor.name, "sensor", &mut self.diagnostics) {
+                        let lowered = self.sensor(sensor);
+                        members.sensors.push(self.add_sensor(&sensor.name, lowered));
+                    }
+                }
+                ast::RobotItem::Action(action) => {
+                    if claim(&mut seen, &action.name, "action", &mut self.diagnostics) {
+                        let lowered = self.action(action, has_body);
+                        members.actions.push(self.add_action(&action.name, lowered));
+                    }
+                }
+                ast::RobotItem::Logical(logical) => {
+                    self.report(not_supported(logical.name.span, "a logical sensor"));
+                    members.sensors.push(self.add_sensor(&logical.name, None));
+                }
+                ast::RobotItem::Error(_) => {}
+            }
+        }
+        members
+    }
+
+    /// Adds a sensor; a broken one as poison, so that what names it is not reported too.
+    fn add_sensor(&mut self, name: &ast::Name, sensor: Option<ir::Sensor>) -> Id<ir::Sensor> {
+        let broken = sensor.is_none();
+        let id = self.program.sensors.add(sensor.unwrap_or_else(|| ir::Sensor {
+            symbol: symbol(name, None),
+            optional: true,
+            unit: Unit::one(),
+            range: (Exact::ZERO, Exact::ONE),
+            fails: Vec::new(),
+            source: None,
+            noise: 0.0,
+            accuracy: 0.0,
+            period: 0,
+        }));
+        if broken {
+            self.poison.sensors.insert(id);
+        }
+        id
+    }
+
+    /// Adds an action; a broken one as poison.
+    fn add_action(&mut self, name: &ast::Name, action: Option<ir::Action>) -> Id<ir::Action> {
+        let broken = action.is_none();
+        let id = self.program.actions.add(action.unwrap_or_else(|| ir::Action {
+            symbol: symbol(name, None),
+            parameters: Vec::new(),
+            reports_done: true,
+            command: None,
+        }));
+        if broken {
+            self.poison.actions.insert(id);
+        }
+        id
+    }
+
+    fn sensor(&mut self, tree: &ast::Sensor) -> Option<ir::Sensor> {
+        if let Some(count) = &tree.count {
+            self.report(not_supported(count.span, "an array of sensors"));
+            return None;
+        }
+        let (unit, range) = match &tree.kind {
+            ast::SensorKind::Contact(span) => {
+                self.report(not_supported(*span, "a contact sensor"));
+                return None;
+            }
+            ast::SensorKind::Quantity { unit, range } => (self.unit(unit)?, range),
+        };
+        let Some(range) = range else {
+            self.report(missing_range(&tree.name, "sensor", &unit));
+            return None;
+        };
+        let range = self.range_in(range, &unit)?;
+        let mut sensor = ir::Sensor {
+            symbol: symbol(&tree.name, tree.doc.as_ref()),
+            optional: tree.optional,
+            unit: unit.clone(),
+            range,
+            fails: Vec::new(),
+            source: None,
+            noise: 0.0,
+            accuracy: 0.0,
+            period: 0,
+        };
+        for clause in &tree.clauses {
+            match clause {
+                ast::SensorClause::Fails(readings) => {
+                    sensor.fails.extend(self.fail_readings(readings, &unit, range));
+                }
+                ast::SensorClause::Source(path) => sensor.source = self.source(path, &unit),
+                ast::SensorClause::Noise(noise) => sensor.noise = self.spread(noise, &unit, "noise")?,
+                ast::SensorClause::Accuracy(accuracy) => sensor.accuracy = self.spread(accuracy, &unit, "accuracy")?,
+                ast::SensorClause::Period(period) => sensor.period = self.nanoseconds(period)?,
+            }
+        }
+        Some(sensor)
+    }
+
+    fn spread(&mut self, quantity: &ast::Quantity, unit: &Unit, what: &str) -> Option<f64> {
+        let value = self.quantity_in(quantity, unit)?;
+        if value < Exact::ZERO {
+            self.report(invalid(quantity.span, format!("{what} cannot be negative")));
+            return None;
+        }
+        Some(value.to_f64())
+    }
+
+    fn source(&mut self, path: &ast::Path, unit: &Unit) -> Option<SensorSource> {
+        let name = join(path);
+        let Some(&(_, source, dimension)) = SOURCES.iter().find(|(known, ..)| *known == name) else {
+            self.report(unknown_path(path, &name, "a body measures no", SOURCES.iter().map(|(known, ..)| *known)));
+            return None;
+        };
+        if dimension != unit.dimension {
+            self.report(mismatch(path.span, dimension, unit.dimension));
+            return None;
+        }
+        Some(source)
+    }
+
+    fn action(&mut self, tree: &ast::Action, has_body: bool) -> Option<ir::Action> {
+        let mut seen = HashMap::new();
+        let mut parameters = Vec::new();
+        for parameter in &tree.parameters {
+            claim(&mut seen, &parameter.name, "parameter", &mut self.diagnostics);
+            parameters.push(ir::Parameter { symbol: symbol(&parameter.name, None), unit: self.unit(&parameter.unit)? });
+        }
+        let command = match &tree.implementation {
+            Some(call) if has_body => self.command(call, &parameters, tree.done),
+            Some(call) => {
+                self.report(missing_part(call.span, "there is no body that could carry this out"));
+                None
+            }
+            None => {
+                if has_body {
+                    self.report(
+                        missing_part(tree.name.span, format!("nothing says how the body does `{}`", tree.name.text))
+                            .help("write `= body.velocity(...)`, `body.arc`, `body.rotate` or `body.stop`"),
+                    );
+                }
+                None
+            }
+        };
+        let symbol = symbol(&tree.name, tree.doc.as_ref());
+        Some(ir::Action { symbol, parameters, reports_done: tree.done.is_some(), command })
+    }
+
+    fn command(
+        &mut self,
+        call: &ast::Call,
+        parameters: &[ir::Parameter],
+        done: Option<Span>,
+    ) -> Option<ir::BodyCommand> {
+        let name = join(&call.path);
+        let Some(&(_, kind, wanted)) = COMMANDS.iter().find(|(known, ..)| *known == name) else {
+            self.report(unknown_path(
+                &call.path,
+                &name,
+                "a body has no command",
+                COMMANDS.iter().map(|(name, ..)| *name),
+            ));
+            return None;
+        };
+        if let (Some(done), true) = (done, kind != BodyCommandKind::Rotate) {
+            let message = format!("`{name}` never reports completion");
+            self.report(invalid(done, message).help("leave out `-> done`; only `body.rotate` comes to an end"));
+        }
+        if call.arguments.len() != wanted.len() {
+            let message = format!("`{name}` takes {} arguments, {} are given", wanted.len(), call.arguments.len());
+            self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, call.span, message));
+            return None;
+        }
+        let arguments: Vec<_> = call
+            .arguments
+            .iter()
+            .zip(wanted)
+            .map(|(argument, &dimension)| self.body_argument(argument, dimension, parameters))
+            .collect();
+        Some(ir::BodyCommand { kind, arguments: arguments.into_iter().collect::<Option<_>>()? })
+    }
+
+    fn body_argument(
+        &mut self,
+        argument: &ast::Argument,
+        wanted: Dimension,
+        parameters: &[ir::Parameter],
+    ) -> Option<ir::BodyArgument> {
+        match &argument.value.kind {
+            ast::ExprKind::Quantity(quantity) => {
+                Some(ir::BodyArgument::Constant(self.quantity_of(quantity, wanted, None)?.to_f64()))
+            }
+            ast::ExprKind::Path(path) if path.segments.len() == 1 => {
+                let name = path.segments.first()?;
+                let Some(index) = super::position(&name.text, parameters.iter().map(|parameter| &parameter.symbol))
+                else {
+                    let known = parameters.iter().map(|parameter| parameter.symbol.name.as_str());
+                    self.report(unknown(name, "parameter of this action", known));
+                    return None;
+                };
+                let found = parameters.get(index)?.unit.dimension;
+                if found != wanted {
+                    self.report(mismatch(name.span, found, wanted));
+                    return None;
+                }
+                Some(ir::BodyArgument::Parameter(index as u32))
+            }
+            _ => {
+                self.report(invalid(argument.value.span, "a body's command takes quantities and parameters"));
+                None
+            }
+        }
+    }
+
+    fn body(&mut self, tree: &ast::Body) -> Option<ir::Body> {
+        if tree.kind.text != "differential_drive" {
+            self.report(unknown(&tree.kind, "body", ["differential_drive"]));
+            return None;
+        }
+        let mut given: HashMap<&str, (Vec<f64>, Span)> = HashMap::new();
+        let mut sound = true;
+        for parameter in &tree.parameters {
+            let name = parameter.name.text.as_str();
+            let Some(&(_, dimension, count, _)) = PARAMETERS.iter().find(|(known, ..)| *known == name) else {
+                self.report(unknown(&parameter.name, "parameter of this body", PARAMETERS.iter().map(|p| p.0)));
+                continue;
+            };
+            if parameter.values.len() != count {
+                let message = format!("`{name}` takes {count} values, {} are given", parameter.values.len());
+                let help = if count == 2 { "write `size (length, width)`" } else { "write one value" };
+                let rule = &diag::rules::WRONG_ARGUMENTS;
+                self.report(Diagnostic::new(rule, parameter.span, message).help(help));
+                sound = false;
+                continue;
+            }
+            let values: Vec<_> = parameter
+                .values
+                .iter()
+                .map(|value| match name {
+                    "tracking_noise" => self.quantity_of(value, dimension, None).map(Exact::to_f64),
+                    _ => self.positive(value, dimension, &format!("`{name}`")),
+                })
+                .collect();
+            match values.into_iter().collect::<Option<Vec<_>>>() {
+                Some(values) => {
+                    if let Some((_, first)) = given.insert(name, (values, parameter.name.span)) {
+                        self.report(super::said_twice(parameter.name.span, first, &format!("`{name}`")));
+                    }
+                }
+                None => sound = false,
+            }
+        }
+        let missing: Vec<_> = PARAMETERS
+            .iter()
+            .filter(|(name, _, _, default)| default.is_none() && !given.contains_key(name))
+            .map(|(name, ..)| format!("`{name}`"))
+            .collect();
+        if sound && !missing.is_empty() {
+            self.report(missing_part(tree.kind.span, format!("the body lacks {}", missing.join(", "))));
+            return None;
+        }
+        let value = |name: &str, index: usize| {
+            let default = PARAMETERS.iter().find(|(known, ..)| *known == name).and_then(|parameter| parameter.3);
+            given.get(name).and_then(|(values, _)| values.get(index).copied()).or(default)
+        };
+        Some(ir::Body::DifferentialDrive(ir::DifferentialDrive {
+            mass: value("mass", 0)?,
+            length: value("size", 0)?,
+            width: value("size", 1)?,
+            track: value("track", 0)?,
+            traction: value("traction", 0)?,
+            lag: value("lag", 0)?,
+            acceleration_limit: value("acceleration_limit", 0)?,
+            impact_time: value("impact_time", 0)?,
+            tracking_noise: value("tracking_noise", 0)?,
+        }))
+    }
+
+    /// Reports what an interface promises and a robot does not keep.
+    fn check_promise(&mut self, robot: &ast::Name, interface: Id<ir::Interface>, span: Span, members: &Members) {
+        let promised = &self.program.interfaces[interface];
+        let actions = &self.program.actions;
+        let sensors = &self.program.sensors;
+        let mut broken = Vec::new();
+        for &action in &promised.actions {
+            let wanted = &actions[action];
+            let kept = named(&wanted.symbol.name, &members.actions, |id| &actions[id].symbol);
+            let fits = kept.is_some_and(|id| {
+                let kept = &actions[id];
+                self.poison.actions.contains(&id)
+                    || self.poison.actions.contains(&action)
+                    || kept.reports_done == wanted.reports_done
+                        && kept.parameters.len() == wanted.parameters.len()
+                        && kept.parameters.iter().zip(&wanted.parameters).all(|(kept, wanted)| {
+                            kept.symbol.name == wanted.symbol.name && kept.unit.dimension == wanted.unit.dimension
+                        })
+            });
+            if !fits {
+                broken.push((&wanted.symbol, "action", kept.map(|kept| actions[kept].symbol.span)));
+            }
+        }
+        for &sensor in &promised.sensors {
+            let wanted = &sensors[sensor];
+            let kept = named(&wanted.symbol.name, &members.sensors, |id| &sensors[id].symbol);
+            let poisoned = |id| self.poison.sensors.contains(&id);
+            let fits = |id| sensors[id].unit.dimension == wanted.unit.dimension || poisoned(id) || poisoned(sensor);
+            if !kept.is_some_and(fits) {
+                broken.push((&wanted.symbol, "sensor", kept.map(|kept| sensors[kept].symbol.span)));
+            }
+        }
+        let diagnostics: Vec<_> = broken
+            .into_iter()
+            .map(|(symbol, what, kept)| {
+                let name = &symbol.name;
+                let message = match kept {
+                    Some(_) => format!("`{}` has the {what} `{name}` in another form than promised", robot.text),
+                    None => format!("`{}` lacks the {what} `{name}`", robot.text),
+                };
+                Diagnostic::new(&diag::rules::INTERFACE_NOT_KEPT, kept.unwrap_or(span), message)
+                    .label(symbol.span, "promised here")
+            })
+            .collect();
+        self.diagnostics.extend(diagnostics);
+    }
+}
+
+#[derive(Default)]
+struct Members {
+    body: Option<(Option<ir::Body>, Span)>,
+    sensors: Vec<Id<ir::Sensor>>,
+    actions: Vec<Id<ir::Action>>,
+}
+
+fn join(path: &ast::Path) -> String {
+    path.segments.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join(".")
+}
+
+fn unknown_path<'s>(
+    path: &ast::Path,
+    name: &str,
+    what: &str,
+    known: impl Iterator<Item = &'s str> + Clone,
+) -> Diagnostic {
+    Diagnostic::new(&diag::rules::UNKNOWN_NAME, path.span, format!("{what} `{name}`"))
+        .help_maybe(diag::did_you_mean(name, known.clone()))
+        .note(format!("known are: {}", known.collect::<Vec<_>>().join(", ")))
+}

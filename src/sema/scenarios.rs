@@ -1,0 +1,303 @@
+//! Scenarios: what is run, where, what goes wrong, and what is expected.
+
+use std::collections::HashMap;
+
+use super::conditions::Scene;
+use super::quantities::empty_range;
+use super::{Lower, missing_part, not_supported, symbol};
+use crate::base::{Id, Span};
+use crate::diag::{self, Diagnostic};
+use crate::ir::{self, Window};
+use crate::syntax::ast;
+
+/// Nanoseconds between ticks where a scenario does not say.
+const DEFAULT_TICK: u64 = 10_000_000;
+
+/// What a scenario and those it extends say, the later word standing.
+#[derive(Default)]
+struct Parts<'a> {
+    runs: Option<&'a ast::Name>,
+    on: Option<&'a ast::Name>,
+    within: Option<&'a ast::Name>,
+    duration: Option<(&'a ast::Quantity, Span)>,
+    tick: Option<(&'a ast::Quantity, Span)>,
+    seed: Option<(&'a ast::Number, Span)>,
+    start: Option<(&'a ast::PlaceAt, Span)>,
+    boxes: Vec<&'a ast::BoxItem>,
+    faults: Vec<&'a ast::ScenarioItem>,
+    /// Its own only: a variation is expected to behave differently.
+    expectations: Vec<&'a ast::Expect>,
+}
+
+impl<'a> Lower<'a> {
+    pub(super) fn scenario(&mut self, tree: &'a ast::Scenario) {
+        let Some(chain) = self.scenario_chain(tree) else { return };
+        let parts = self.scenario_parts(&chain);
+        let Some(runs) = parts.runs else {
+            return self.report(
+                missing_part(tree.name.span, format!("`{}` does not say what it runs", tree.name.text))
+                    .help(format!("write `scenario {} runs obstacle_manipulation`", tree.name.text)),
+            );
+        };
+        let diagram = self.find_diagram(runs);
+        let on = parts.on.map(|on| (on, self.find_robot(on)));
+        let world = parts.within.map(|world| self.find_world(world));
+        let Some(diagram) = diagram else { return };
+        let Some(robot) = self.scenario_robot(tree, diagram, on) else { return };
+
+        let duration = match parts.duration {
+            Some((duration, _)) => self.positive_nanoseconds(duration, "a duration"),
+            None => {
+                let message = format!("`{}` does not say how long it lasts", tree.name.text);
+                self.report(missing_part(tree.name.span, message).help("write `duration 10 s`"));
+                None
+            }
+        };
+        let tick = match parts.tick {
+            Some((tick, _)) => self.positive_nanoseconds(tick, "a tick"),
+            None => Some(DEFAULT_TICK),
+        };
+        let seed = parts.seed.map_or(Some(1), |(seed, _)| self.whole(seed, 0, "a seed"));
+        let start = match parts.start {
+            Some((ast::PlaceAt::Ahead(distance), _)) => {
+                self.report(super::invalid(distance.span, "a robot is placed at a point, not ahead of itself"));
+                None
+            }
+            Some((place, _)) => self.placement(place),
+            None => Some(ir::Placement::At { x: 0.0, y: 0.0, heading: 0.0 }),
+        };
+        let (mut walls, mut boxes, mut goal) = (Vec::new(), Vec::new(), None);
+        if let Some(Some(world)) = world {
+            let world = &self.program.worlds[world];
+            (walls, boxes, goal) = (world.walls.clone(), world.boxes.clone(), world.goal);
+        }
+        for tree in &parts.boxes {
+            let lowered = self.box_body(tree, boxes.len());
+            boxes.extend(lowered);
+        }
+        let faults = parts.faults.iter().filter_map(|fault| self.fault(fault, robot)).collect();
+        let expectations = self.expectations(&parts.expectations, diagram, robot);
+        // What was wrong has been reported; a scenario with a gap is not run.
+        let (Some(duration), Some(tick), Some(seed), Some(start)) = (duration, tick, seed, start) else { return };
+        self.program.scenarios.add(ir::Scenario {
+            symbol: symbol(&tree.name, tree.doc.as_ref()),
+            diagram,
+            robot,
+            duration,
+            tick,
+            seed,
+            start,
+            walls,
+            boxes,
+            goal,
+            faults,
+            expectations,
+        });
+    }
+
+    fn scenario_chain(&mut self, tree: &'a ast::Scenario) -> Option<Vec<&'a ast::Scenario>> {
+        let mut chain = vec![tree];
+        while let Some(name) = &chain.last()?.extends {
+            let base = self.find_scenario_tree(name)?;
+            if chain.iter().any(|known| known.name.span == base.name.span) {
+                let message = format!("`{}` extends itself", base.name.text);
+                self.report(Diagnostic::new(&diag::rules::CIRCULAR, name.span, message));
+                return None;
+            }
+            chain.push(base);
+        }
+        chain.reverse();
+        Some(chain)
+    }
+
+    fn scenario_parts(&mut self, chain: &[&'a ast::Scenario]) -> Parts<'a> {
+        let mut parts = Parts::default();
+        for tree in chain {
+            parts.runs = tree.runs.as_ref().or(parts.runs);
+            parts.on = tree.on.as_ref().or(parts.on);
+            parts.within = tree.within.as_ref().or(parts.within);
+            parts.expectations.clear();
+            let mut own = Parts::default();
+            for item in &tree.items {
+                match item {
+                    ast::ScenarioItem::Duration(duration, span) => {
+                        self.once(&mut own.duration, duration, *span, "the duration");
+                    }
+                    ast::ScenarioItem::Tick(tick, span) => self.once(&mut own.tick, tick, *span, "the tick"),
+                    ast::ScenarioItem::Seed(seed, span) => self.once(&mut own.seed, seed, *span, "the seed"),
+                    ast::ScenarioItem::PlaceRobot { robot: Some(_), span, .. } => {
+                        self.report(not_supported(*span, "a robot of a team"));
+                    }
+                    ast::ScenarioItem::PlaceRobot { robot: None, place, span } => {
+                        self.once(&mut own.start, place, *span, "the robot's place");
+                    }
+                    ast::ScenarioItem::PlaceBox(item) => {
+                        let same = |known: &&ast::BoxItem| {
+                            item.name.is_some()
+                                && known.name.as_ref().map(|name| &name.text)
+                                    == item.name.as_ref().map(|name| &name.text)
+                        };
+                        match parts.boxes.iter_mut().find(|known| same(known)) {
+                            Some(known) => *known = item,
+                            None => parts.boxes.push(item),
+                        }
+                    }
+                    ast::ScenarioItem::Fault { .. } | ast::ScenarioItem::Fail { .. } => parts.faults.push(item),
+                    ast::ScenarioItem::Expect(expect) => parts.expectations.push(expect),
+                    ast::ScenarioItem::Error(_) => {}
+                }
+            }
+            parts.duration = own.duration.or(parts.duration);
+            parts.tick = own.tick.or(parts.tick);
+            parts.seed = own.seed.or(parts.seed);
+            parts.start = own.start.or(parts.start);
+        }
+        parts
+    }
+
+    /// The robot a scenario runs on: the one it names, or else the one its diagram is written on.
+    fn scenario_robot(
+        &mut self,
+        tree: &ast::Scenario,
+        diagram: Id<ir::Diagram>,
+        on: Option<(&ast::Name, Option<Id<ir::Robot>>)>,
+    ) -> Option<Id<ir::Robot>> {
+        match (self.program.diagrams[diagram].platform, on) {
+            (ir::Platform::Robot(robot), None) => Some(robot),
+            (ir::Platform::Interface(_), None) => {
+                let message = format!("`{}` does not say on which robot it runs", tree.name.text);
+                self.report(missing_part(tree.name.span, message).help("write `on j5` after what it runs"));
+                None
+            }
+            (platform, Some((name, robot))) => {
+                let robot = robot?;
+                let fits = match platform {
+                    ir::Platform::Robot(wanted) => wanted == robot,
+                    ir::Platform::Interface(wanted) => self.program.robots[robot].provides.contains(&wanted),
+                };
+                if !fits {
+                    let diagram = &self.program.diagrams[diagram].symbol.name;
+                    let message = format!("`{diagram}` is not written for the robot `{}`", name.text);
+                    self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
+                }
+                fits.then_some(robot)
+            }
+        }
+    }
+
+    fn fault(&mut self, tree: &ast::ScenarioItem, robot: Id<ir::Robot>) -> Option<ir::Fault> {
+        let (reference, reading, window) = match tree {
+            ast::ScenarioItem::Fault { sensor, reading, window, .. } => (sensor, Some(reading), window),
+            ast::ScenarioItem::Fail { sensor, window, .. } => (sensor, None, window),
+            _ => return None,
+        };
+        let [name] = reference.path.segments.as_slice() else {
+            self.report(not_supported(reference.path.span, "a sensor of a team's robot"));
+            return None;
+        };
+        if let Some(index) = reference.indices.first() {
+            self.report(not_supported(index.first.span, "an element of an array of sensors"));
+            return None;
+        }
+        let sensors = self.program.robots[robot].sensors.clone();
+        let sensor = self.sensor_named(name, &sensors)?;
+        let reading = match reading {
+            None => ir::FaultReading::Reported,
+            Some(ast::FailReading::Any(_)) => ir::FaultReading::StuckSomewhere,
+            Some(ast::FailReading::Value(quantity)) => {
+                let unit = self.program.sensors[sensor].unit.clone();
+                ir::FaultReading::Stuck(self.quantity_in(quantity, &unit)?.to_f64())
+            }
+            Some(ast::FailReading::Absent(span) | ast::FailReading::Set(span) | ast::FailReading::Clear(span)) => {
+                let diagnostic = super::invalid(*span, "a faulty sensor reads a quantity, or `any`");
+                self.report(diagnostic.help("write `fail` for a sensor that is known to give nothing"));
+                return None;
+            }
+        };
+        let from = window.from.as_ref().map_or(Some(0), |from| self.nanoseconds(from));
+        let to = window.to.as_ref().map_or(Some(u64::MAX), |to| self.nanoseconds(to));
+        let window = Window { from: from?, to: to? };
+        if window.from > window.to {
+            self.report(empty_range(reference.path.span));
+            return None;
+        }
+        Some(ir::Fault { sensor, reading, window })
+    }
+
+    fn expectations(
+        &mut self,
+        trees: &[&ast::Expect],
+        diagram: Id<ir::Diagram>,
+        robot: Id<ir::Robot>,
+    ) -> Vec<ir::Expectation> {
+        let diagram = &self.program.diagrams[diagram];
+        let mut scene = Scene { sensors: self.program.robots[robot].sensors.clone(), ..Scene::default() };
+        for (id, mode) in diagram.modes.iter() {
+            scene.modes.insert(mode.symbol.name.clone(), id);
+        }
+        for (id, flag) in diagram.flags.iter() {
+            scene.flags.insert(flag.symbol.name.clone(), Some(id));
+        }
+        for (position, sense) in diagram.senses.iter().enumerate() {
+            scene.senses.insert(sense.symbol.name.clone(), position as u32);
+            for (event, declared) in self.program.networks[sense.network].events.iter().enumerate() {
+                let place = (position as u32, event as u32);
+                scene.events.entry(declared.symbol.name.clone()).or_default().push(place);
+            }
+        }
+        trees.iter().filter_map(|tree| self.expectation(tree, &scene)).collect()
+    }
+
+    fn expectation(&mut self, tree: &ast::Expect, scene: &Scene) -> Option<ir::Expectation> {
+        let modes: HashMap<&str, _> = scene.modes.iter().map(|(name, &id)| (name.as_str(), id)).collect();
+        let kind = match &tree.kind {
+            ast::ExpectKind::Modes(names) => {
+                let found: Vec<_> = names.iter().map(|name| self.mode_named(name, &modes)).collect();
+                ir::ExpectationKind::Modes(found.into_iter().collect::<Option<_>>()?)
+            }
+            ast::ExpectKind::Transition { from, to, within } => {
+                let (from, to) = (self.mode_named(from, &modes), self.mode_named(to, &modes));
+                let window = self.range_window(within.as_ref());
+                ir::ExpectationKind::Transition { from: from?, to: to?, window: window? }
+            }
+            ast::ExpectKind::Within { condition, window } => {
+                let condition = self.condition(condition, scene);
+                ir::ExpectationKind::Within(condition, self.range_window(window.as_ref())?)
+            }
+            ast::ExpectKind::Never { condition, window } => {
+                let condition = self.condition(condition, scene);
+                ir::ExpectationKind::Never(condition, self.window(window)?)
+            }
+            ast::ExpectKind::Always { condition, window } => {
+                let condition = self.condition(condition, scene);
+                ir::ExpectationKind::Always(condition, self.window(window)?)
+            }
+        };
+        let written = self.sources.slice(tree.span).trim_start_matches("expect");
+        let text = written.split_whitespace().collect::<Vec<_>>().join(" ");
+        Some(ir::Expectation { text, kind, span: tree.span })
+    }
+
+    fn range_window(&mut self, range: Option<&ast::Range>) -> Option<Window> {
+        let Some(range) = range else { return Some(Window::WHOLE) };
+        let (from, to) = (self.nanoseconds(&range.low), self.nanoseconds(&range.high));
+        let window = Window { from: from?, to: to? };
+        if window.from >= window.to {
+            self.report(empty_range(range.span));
+            return None;
+        }
+        Some(window)
+    }
+
+    fn window(&mut self, window: &ast::ExpectWindow) -> Option<Window> {
+        match window {
+            ast::ExpectWindow::Whole => Some(Window::WHOLE),
+            ast::ExpectWindow::Before(time) => {
+                let time = self.positive_nanoseconds(time, "the time after `before`")?;
+                Some(Window { from: 0, to: time - 1 })
+            }
+            ast::ExpectWindow::After(time) => Some(Window { from: self.nanoseconds(time)?, to: u64::MAX }),
+            ast::ExpectWindow::Within(range) => self.range_window(Some(range)),
+        }
+    }
+}

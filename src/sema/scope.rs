@@ -1,0 +1,256 @@
+//! What each file can name: its own declarations and those of the files it imports.
+
+use std::collections::HashMap;
+
+use super::{Lower, Unit, duplicate, unknown};
+use crate::base::{FileId, Id, Span};
+use crate::diag::{self, Diagnostic};
+use crate::ir;
+use crate::syntax::ast;
+
+/// An import that led to a file.
+#[derive(Debug, Clone, Copy)]
+pub struct Import {
+    /// The file it led to.
+    pub file: FileId,
+    /// Where it is written.
+    pub span: Span,
+}
+
+/// What a top-level name stands for.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Declared<'a> {
+    Variable(&'a ast::Variable),
+    Network(&'a ast::Network),
+    Interface(&'a ast::Interface),
+    Robot(&'a ast::Robot),
+    Diagram(&'a ast::Diagram),
+    World(&'a ast::World),
+    Scenario(&'a ast::Scenario),
+    /// Something whose meaning is not implemented yet.
+    Later(&'static str),
+}
+
+impl Declared<'_> {
+    fn kind(self) -> &'static str {
+        match self {
+            Self::Variable(_) => "variable",
+            Self::Network(_) => "network",
+            Self::Interface(_) => "interface",
+            Self::Robot(_) => "robot",
+            Self::Diagram(diagram) => match diagram.layer {
+                ast::Layer::Behavior => "behavior",
+                ast::Layer::Activity => "activity",
+                ast::Layer::Goal => "goal",
+            },
+            Self::World(_) => "world",
+            Self::Scenario(_) => "scenario",
+            Self::Later(kind) => kind,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Entry<'a> {
+    declared: Declared<'a>,
+    span: Span,
+}
+
+/// The names each file can use, and the ids of what has been lowered. A declaration is known by the place of its name.
+pub(super) struct Scopes<'a> {
+    files: HashMap<FileId, HashMap<&'a str, Entry<'a>>>,
+    pub(super) variables: HashMap<Span, Id<ir::Variable>>,
+    pub(super) networks: HashMap<Span, Id<ir::Network>>,
+    pub(super) interfaces: HashMap<Span, Id<ir::Interface>>,
+    pub(super) robots: HashMap<Span, Id<ir::Robot>>,
+    pub(super) diagrams: HashMap<Span, Id<ir::Diagram>>,
+    pub(super) worlds: HashMap<Span, Id<ir::World>>,
+}
+
+impl<'a> Scopes<'a> {
+    /// Collects the declarations of every file, then brings imported ones into scope. An import reaches a file's own
+    /// declarations only, not what that file imports.
+    pub(super) fn collect(units: &'a [Unit], diagnostics: &mut Vec<Diagnostic>) -> Self {
+        let own: HashMap<FileId, HashMap<&str, Entry<'_>>> =
+            units.iter().map(|unit| (unit.file, own_names(&unit.tree, diagnostics))).collect();
+        let mut files = own.clone();
+        for unit in units {
+            let Some(scope) = files.get_mut(&unit.file) else { continue };
+            for import in &unit.imports {
+                let Some(imported) = own.get(&import.file) else { continue };
+                let mut entries: Vec<_> = imported.iter().collect();
+                entries.sort_by_key(|(_, entry)| entry.span);
+                for (name, entry) in entries {
+                    match scope.get(name) {
+                        Some(present) if present.span != entry.span => {
+                            diagnostics.push(clash(name, import.span, present.span, entry.span));
+                        }
+                        _ => {
+                            scope.insert(name, *entry);
+                        }
+                    }
+                }
+            }
+        }
+        Self {
+            files,
+            variables: HashMap::new(),
+            networks: HashMap::new(),
+            interfaces: HashMap::new(),
+            robots: HashMap::new(),
+            diagrams: HashMap::new(),
+            worlds: HashMap::new(),
+        }
+    }
+}
+
+fn own_names<'a>(tree: &'a ast::File, diagnostics: &mut Vec<Diagnostic>) -> HashMap<&'a str, Entry<'a>> {
+    let mut scope: HashMap<&str, Entry<'_>> = HashMap::new();
+    for item in &tree.items {
+        let (name, declared) = match item {
+            ast::Item::Variable(item) => (&item.name, Declared::Variable(item)),
+            ast::Item::Network(item) => (&item.name, Declared::Network(item)),
+            ast::Item::Interface(item) => (&item.name, Declared::Interface(item)),
+            ast::Item::Robot(item) => (&item.name, Declared::Robot(item)),
+            ast::Item::Diagram(item) => (&item.name, Declared::Diagram(item)),
+            ast::Item::World(item) => (&item.name, Declared::World(item)),
+            ast::Item::Scenario(item) => (&item.name, Declared::Scenario(item)),
+            ast::Item::Arbiter(item) => (&item.name, Declared::Later("arbiter")),
+            ast::Item::Team(item) => (&item.name, Declared::Later("team")),
+            ast::Item::Property(item) => (&item.name, Declared::Later("property")),
+            ast::Item::Import(_) | ast::Item::Error(_) => continue,
+        };
+        match scope.get(name.text.as_str()) {
+            Some(first) => diagnostics.push(duplicate(name, first.span, "the name")),
+            None => {
+                scope.insert(&name.text, Entry { declared, span: name.span });
+            }
+        }
+    }
+    scope
+}
+
+fn clash(name: &str, import: Span, first: Span, second: Span) -> Diagnostic {
+    Diagnostic::new(&diag::rules::NAME_CLASH, import, format!("this import brings a second `{name}` into scope"))
+        .label(first, format!("`{name}` is declared here"))
+        .label(second, "and here")
+        .note("a name means one thing in a file")
+        .help("rename one of them, or leave out the import")
+}
+
+impl<'a> Lower<'a> {
+    /// What a name stands for in the file it is written in; reports one that stands for nothing.
+    fn look_up(&mut self, name: &ast::Name, what: &str) -> Option<Declared<'a>> {
+        let scope = self.scopes.files.get(&name.span.file)?;
+        if let Some(entry) = scope.get(name.text.as_str()) {
+            return Some(entry.declared);
+        }
+        let fitting = scope.iter().filter(|(_, entry)| entry.declared.kind() == what).map(|(name, _)| *name);
+        let mut diagnostic = unknown(name, what, fitting);
+        let elsewhere = self.scopes.files.values().filter_map(|scope| scope.get(name.text.as_str()));
+        let elsewhere = elsewhere.min_by_key(|entry| entry.span);
+        if let (Some(entry), None) = (elsewhere, &diagnostic.help) {
+            diagnostic = diagnostic.label(entry.span, "one of this name is declared here, in a file not imported");
+        }
+        self.report(diagnostic);
+        None
+    }
+
+    fn wrong_kind(&mut self, name: &ast::Name, declared: Declared<'a>, wanted: &str) {
+        // What is not implemented yet was reported where it is declared.
+        if !matches!(declared, Declared::Later(_)) {
+            let message = format!("`{}` is a {}, not a {wanted}", name.text, declared.kind());
+            self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
+        }
+    }
+
+    pub(super) fn find_variable(&mut self, name: &ast::Name) -> Option<Id<ir::Variable>> {
+        match self.look_up(name, "variable")? {
+            Declared::Variable(variable) => self.scopes.variables.get(&variable.name.span).copied(),
+            other => {
+                self.wrong_kind(name, other, "variable");
+                None
+            }
+        }
+    }
+
+    pub(super) fn find_network(&mut self, name: &ast::Name) -> Option<Id<ir::Network>> {
+        match self.look_up(name, "network")? {
+            Declared::Network(network) => self.scopes.networks.get(&network.name.span).copied(),
+            other => {
+                self.wrong_kind(name, other, "network");
+                None
+            }
+        }
+    }
+
+    pub(super) fn find_interface(&mut self, name: &ast::Name) -> Option<Id<ir::Interface>> {
+        match self.look_up(name, "interface")? {
+            Declared::Interface(interface) => self.scopes.interfaces.get(&interface.name.span).copied(),
+            other => {
+                self.wrong_kind(name, other, "interface");
+                None
+            }
+        }
+    }
+
+    pub(super) fn find_robot(&mut self, name: &ast::Name) -> Option<Id<ir::Robot>> {
+        match self.look_up(name, "robot")? {
+            Declared::Robot(robot) => self.scopes.robots.get(&robot.name.span).copied(),
+            other => {
+                self.wrong_kind(name, other, "robot");
+                None
+            }
+        }
+    }
+
+    pub(super) fn find_platform(&mut self, name: &ast::Name) -> Option<ir::Platform> {
+        match self.look_up(name, "robot")? {
+            Declared::Robot(robot) => self.scopes.robots.get(&robot.name.span).copied().map(ir::Platform::Robot),
+            Declared::Interface(interface) => {
+                self.scopes.interfaces.get(&interface.name.span).copied().map(ir::Platform::Interface)
+            }
+            other => {
+                self.wrong_kind(name, other, "robot or an interface");
+                None
+            }
+        }
+    }
+
+    pub(super) fn find_world(&mut self, name: &ast::Name) -> Option<Id<ir::World>> {
+        match self.look_up(name, "world")? {
+            Declared::World(world) => self.scopes.worlds.get(&world.name.span).copied(),
+            other => {
+                self.wrong_kind(name, other, "world");
+                None
+            }
+        }
+    }
+
+    /// The tree of a diagram, for those that extend it.
+    pub(super) fn find_diagram_tree(&mut self, name: &ast::Name) -> Option<&'a ast::Diagram> {
+        match self.look_up(name, "behavior")? {
+            Declared::Diagram(diagram) => Some(diagram),
+            other => {
+                self.wrong_kind(name, other, "behavior");
+                None
+            }
+        }
+    }
+
+    pub(super) fn find_diagram(&mut self, name: &ast::Name) -> Option<Id<ir::Diagram>> {
+        let diagram = self.find_diagram_tree(name)?;
+        self.scopes.diagrams.get(&diagram.name.span).copied()
+    }
+
+    /// The tree of a scenario, for those that extend it.
+    pub(super) fn find_scenario_tree(&mut self, name: &ast::Name) -> Option<&'a ast::Scenario> {
+        match self.look_up(name, "scenario")? {
+            Declared::Scenario(scenario) => Some(scenario),
+            other => {
+                self.wrong_kind(name, other, "scenario");
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Worlds and what stands in them.
+
+use super::{Lower, not_supported, symbol};
+use crate::base::{Dimension, Exact};
+use crate::ir;
+use crate::syntax::ast;
+
+impl Lower<'_> {
+    pub(super) fn world(&mut self, tree: &ast::World) {
+        let mut world = ir::World { symbol: symbol(&tree.name, tree.doc.as_ref()), ..ir::World::default() };
+        let mut goal = None;
+        for item in &tree.items {
+            match item {
+                ast::WorldItem::Wall { points, span } => {
+                    let corners: Vec<_> = points.iter().map(|point| self.point(point)).collect();
+                    let corners = corners.into_iter().collect::<Option<_>>();
+                    world.walls.extend(corners.map(|corners| ir::Wall { corners, span: *span }));
+                }
+                ast::WorldItem::Box(item) => {
+                    let lowered = self.box_body(item, world.boxes.len());
+                    world.boxes.extend(lowered);
+                }
+                ast::WorldItem::Goal(point) => {
+                    let lowered = self.point(point);
+                    self.once(&mut goal, lowered, point.span, "the goal");
+                }
+                ast::WorldItem::Door { span, .. } => self.report(not_supported(*span, "a door")),
+                ast::WorldItem::Error(_) => {}
+            }
+        }
+        world.goal = goal.and_then(|(goal, _)| goal);
+        let id = self.program.worlds.add(world);
+        self.scopes.worlds.insert(tree.name.span, id);
+    }
+
+    pub(super) fn box_body(&mut self, tree: &ast::BoxItem, before: usize) -> Option<ir::BoxBody> {
+        let mass = self.positive(&tree.mass, Dimension::MASS, "a mass");
+        let length = self.positive(&tree.size.0, Dimension::LENGTH, "a length");
+        let width = self.positive(&tree.size.1, Dimension::LENGTH, "a width");
+        let place = self.placement(&tree.place);
+        let name = tree.name.as_ref().map_or_else(|| format!("box{}", before + 1), |name| name.text.clone());
+        Some(ir::BoxBody { name, mass: mass?, length: length?, width: width?, place: place?, span: tree.span })
+    }
+
+    pub(super) fn placement(&mut self, tree: &ast::PlaceAt) -> Option<ir::Placement> {
+        match tree {
+            ast::PlaceAt::Point { at, heading } => {
+                let point = self.point(at);
+                let heading = match heading {
+                    Some(heading) => self.quantity_of(heading, Dimension::ANGLE, None),
+                    None => Some(Exact::ZERO),
+                };
+                let [x, y] = point?;
+                Some(ir::Placement::At { x, y, heading: heading?.to_f64() })
+            }
+            ast::PlaceAt::Ahead(distance) => {
+                let ahead = self.quantity_of(distance, Dimension::LENGTH, None)?;
+                if ahead.is_negative() {
+                    self.report(super::invalid(distance.span, "a distance ahead cannot be negative"));
+                    return None;
+                }
+                Some(ir::Placement::Ahead(ahead.to_f64()))
+            }
+        }
+    }
+
+    fn point(&mut self, point: &ast::Point) -> Option<[f64; 2]> {
+        let x = self.quantity_of(&point.x, Dimension::LENGTH, None);
+        let y = self.quantity_of(&point.y, Dimension::LENGTH, None);
+        Some([x?.to_f64(), y?.to_f64()])
+    }
+}
