@@ -1,6 +1,7 @@
 //! `lmslc` compiles robot behavior written as text: modes with prioritized exits (`.msd`), fed by fuzzy sensor
 //! fusion (`.fsfn`). See `ARCHITECTURE.md` for the rooms of this house.
 
+pub mod analysis;
 pub mod base;
 pub mod diag;
 pub mod interp;

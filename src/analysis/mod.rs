@@ -1,0 +1,33 @@
+//! What can be said of the program without running it: one file a check.
+//!
+//! Everything is decided exactly, in rational arithmetic.
+//!
+//! Imports: base, diag, ir
+//! Crates: petgraph
+
+mod breakpoints;
+mod coverage;
+mod exits;
+mod priorities;
+mod reachability;
+mod requirements;
+mod support;
+
+use crate::diag::Diagnostic;
+use crate::ir::Program;
+
+/// Every finding about a program, in no particular order. Linear in its size.
+pub fn run(program: &Program) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
+    for variable in program.variables.values() {
+        breakpoints::check(variable, &mut findings);
+        coverage::check(variable, &mut findings);
+    }
+    for diagram in program.diagrams.values() {
+        priorities::check(diagram, &mut findings);
+        exits::check(diagram, &mut findings);
+        requirements::check(diagram, program, &mut findings);
+        reachability::check(diagram, &mut findings);
+    }
+    findings
+}

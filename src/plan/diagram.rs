@@ -1,0 +1,283 @@
+//! The plan of a diagram on a robot.
+
+use std::ops::Range;
+
+use super::builder::{Builder, EventSlots, Names, reachable};
+use super::{Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Plan, Real, Transition, input};
+use crate::base::{Id, Sources, Span};
+use crate::ir;
+
+/// The plan of a scenario: its diagram on its robot, watching the conditions of its expectations in order.
+pub fn build_scenario(checked: Checked<'_>, scenario: &ir::Scenario) -> Plan {
+    let watched: Vec<_> = scenario
+        .expectations
+        .iter()
+        .filter_map(|expectation| match expectation.kind {
+            ir::ExpectationKind::Within(condition, _)
+            | ir::ExpectationKind::Never(condition, _)
+            | ir::ExpectationKind::Always(condition, _) => Some(condition),
+            ir::ExpectationKind::Modes(_) | ir::ExpectationKind::Transition { .. } => None,
+        })
+        .collect();
+    build(checked, scenario.diagram, scenario.robot, &watched)
+}
+
+/// The plan of a diagram on a robot that it is written for, watching some conditions. Linear in their size.
+pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot>, watched: &[Id<ir::Expr>]) -> Plan {
+    let program = checked.program;
+    let (diagram, robot) = (&program.diagrams[diagram], &program.robots[robot]);
+    let platform = Platform { program, robot };
+    let input_of = |sensor| platform.input(sensor);
+    let mut builder = Builder::new(program);
+
+    let mut events = Vec::new();
+    let mut event_flags: Vec<Vec<Bool>> = Vec::new();
+    for sense in &diagram.senses {
+        let readings: Vec<Real> = sense.inputs.iter().map(|&sensor| builder.read(platform.input(sensor))).collect();
+        let slots = builder.events(sense.network, &readings);
+        event_flags.push(slots.iter().map(|slots| slots.flag).collect());
+        let declared = &program.networks[sense.network].events;
+        events.extend(declared.iter().zip(slots).map(|(event, slots)| {
+            let EventSlots { contributor, detractor, flag, .. } = slots;
+            let name = format!("{}.{}", sense.symbol.name, event.symbol.name);
+            Event { name, contributor, detractor, flag }
+        }));
+    }
+    let mut flags: Vec<Bool> = Vec::new();
+    for flag in diagram.flags.values() {
+        let value = builder.expr(flag.condition, &Names { input: &input_of, events: &event_flags, flags: &flags });
+        flags.push(value);
+    }
+    let names = Names { input: &input_of, events: &event_flags, flags: &flags };
+    // What remembers must run on every tick, whichever mode is active.
+    for transition in diagram.modes.values().flat_map(|mode| &mode.transitions) {
+        for id in reachable(program, transition.condition) {
+            if remembers(&program.exprs[id].op) {
+                builder.expr(id, &names);
+            }
+        }
+    }
+    let fuse = 0..builder.position();
+
+    let mut parts = Parts::new(platform, checked.sources, diagram);
+    let modes = diagram.modes.iter().map(|(id, mode)| parts.mode(id, mode, &mut builder, &names)).collect();
+
+    builder.begin_part();
+    let start = builder.position();
+    let watched = watched.iter().map(|&condition| builder.expr(condition, &names)).collect();
+    let watch = start..builder.position();
+    let constants = builder.finish();
+    Plan {
+        name: diagram.symbol.name.clone(),
+        robot: robot.symbol.name.clone(),
+        inputs: platform.inputs(diagram),
+        actions: robot.actions.iter().map(|&action| lower_action(&program.actions[action])).collect(),
+        code: builder.code,
+        fuse,
+        watch,
+        events,
+        flags: diagram
+            .flags
+            .values()
+            .zip(&flags)
+            .map(|(flag, &value)| Flag { name: flag.symbol.name.clone(), value })
+            .collect(),
+        watched,
+        modes,
+        transitions: parts.transitions,
+        calls: parts.calls,
+        arguments: parts.arguments,
+        draws: parts.draws,
+        required: parts.required,
+        constants,
+        entry: diagram.entry.map_or(0, |entry| entry.index() as u32),
+    }
+}
+
+/// Operations with a memory of their own.
+fn remembers(op: &ir::Op) -> bool {
+    matches!(op, ir::Op::Rising(_) | ir::Op::Falling(_) | ir::Op::Held(..) | ir::Op::Latched(_) | ir::Op::Count(_))
+}
+
+fn lower_action(action: &ir::Action) -> Action {
+    let parameters = action.parameters.iter();
+    Action {
+        name: action.symbol.name.clone(),
+        parameters: parameters.map(|parameter| (parameter.symbol.name.clone(), parameter.unit.clone())).collect(),
+        reports_done: action.reports_done,
+    }
+}
+
+/// The robot a diagram runs on. What the diagram names on an interface is found on the robot by name; a checked robot
+/// has it.
+#[derive(Clone, Copy)]
+struct Platform<'a> {
+    program: &'a ir::Program,
+    robot: &'a ir::Robot,
+}
+
+impl Platform<'_> {
+    fn input(&self, sensor: Id<ir::Sensor>) -> u32 {
+        let name = &self.program.sensors[sensor].symbol.name;
+        let place = |&own: &Id<ir::Sensor>| own == sensor || self.program.sensors[own].symbol.name == *name;
+        self.robot.sensors.iter().position(place).unwrap_or_default() as u32
+    }
+
+    fn action(&self, action: Id<ir::Action>) -> u32 {
+        let name = &self.program.actions[action].symbol.name;
+        let place = |&own: &Id<ir::Action>| own == action || self.program.actions[own].symbol.name == *name;
+        self.robot.actions.iter().position(place).unwrap_or_default() as u32
+    }
+
+    /// The robot's sensors; one that does not say how it fails takes the word of a variable it feeds.
+    fn inputs(&self, diagram: &ir::Diagram) -> Vec<Input> {
+        let feeds = |sensor: Id<ir::Sensor>| -> Vec<&[ir::FailReading]> {
+            let fed = diagram.senses.iter().flat_map(|sense| {
+                let inputs = &self.program.networks[sense.network].inputs;
+                sense.inputs.iter().zip(inputs).filter(move |(fed, _)| **fed == sensor).map(|(_, input)| input.variable)
+            });
+            fed.map(|variable| self.program.variables[variable].fails.as_slice()).collect()
+        };
+        let sensors = self.robot.sensors.iter().map(|&id| (id, &self.program.sensors[id]));
+        sensors
+            .map(|(id, sensor)| {
+                let fails = [vec![sensor.fails.as_slice()], feeds(id)].concat();
+                input(&sensor.symbol, &sensor.unit, sensor.range, &fails)
+            })
+            .collect()
+    }
+}
+
+/// The lists of a plan that its modes share.
+struct Parts<'a> {
+    platform: Platform<'a>,
+    sources: &'a Sources,
+    diagram: &'a ir::Diagram,
+    transitions: Vec<Transition>,
+    calls: Vec<Call>,
+    arguments: Vec<Real>,
+    draws: Vec<Draw>,
+    required: Vec<u32>,
+}
+
+impl<'a> Parts<'a> {
+    fn new(platform: Platform<'a>, sources: &'a Sources, diagram: &'a ir::Diagram) -> Self {
+        Self {
+            platform,
+            sources,
+            diagram,
+            transitions: Vec::new(),
+            calls: Vec::new(),
+            arguments: Vec::new(),
+            draws: Vec::new(),
+            required: Vec::new(),
+        }
+    }
+
+    fn mode(&mut self, id: Id<ir::Mode>, mode: &ir::Mode, builder: &mut Builder<'_>, names: &Names<'_>) -> Mode {
+        let draws = self.draws.len() as u32;
+        let on_enter = self.calls(&mode.on_enter, builder);
+        let actions = self.calls(&mode.actions, builder);
+        let on_exit = self.calls(&mode.on_exit, builder);
+        let draws = draws..self.draws.len() as u32;
+        let required = self.required.len() as u32;
+        self.required.extend(mode.requires.iter().map(|&(sensor, _)| self.platform.input(sensor)));
+        let transitions = self.transitions.len() as u32;
+        for transition in &mode.transitions {
+            let transition = self.transition(id, transition, builder, names);
+            self.transitions.push(transition);
+        }
+        Mode {
+            name: mode.symbol.name.clone(),
+            transitions: transitions..self.transitions.len() as u32,
+            actions,
+            on_enter,
+            on_exit,
+            draws,
+            required: required..self.required.len() as u32,
+            otherwise: mode.otherwise.map(|mode| mode.index() as u32),
+        }
+    }
+
+    fn calls(&mut self, calls: &[ir::Call], builder: &mut Builder<'_>) -> Range<u32> {
+        let start = self.calls.len() as u32;
+        for call in calls {
+            let first = self.arguments.len() as u32;
+            for argument in &call.arguments {
+                let real = match argument {
+                    ir::Argument::Constant(value) => builder.constant(value.to_f64()),
+                    ir::Argument::Random { low, high } => {
+                        let to = builder.new_real();
+                        self.draws.push(Draw { low: low.to_f64(), high: high.to_f64(), to });
+                        to
+                    }
+                };
+                self.arguments.push(real);
+            }
+            let arguments = first..self.arguments.len() as u32;
+            self.calls.push(Call { action: self.platform.action(call.action), arguments });
+        }
+        start..self.calls.len() as u32
+    }
+
+    fn transition(
+        &self,
+        from: Id<ir::Mode>,
+        transition: &ir::Transition,
+        builder: &mut Builder<'_>,
+        names: &Names<'_>,
+    ) -> Transition {
+        builder.begin_part();
+        let start = builder.position();
+        let condition = builder.expr(transition.condition, names);
+        Transition {
+            priority: transition.priority,
+            steps: start..builder.position(),
+            condition,
+            target: transition.target.unwrap_or(from).index() as u32,
+            span: transition.span,
+            text: self.text(self.platform.program.exprs[transition.condition].span),
+            evidence: self.evidence(transition.condition),
+        }
+    }
+
+    /// Source text on one line.
+    fn text(&self, span: Span) -> String {
+        self.sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// The numbers a condition looks at, through named flags and events, each once.
+    fn evidence(&self, condition: Id<ir::Expr>) -> Vec<Evidence> {
+        let mut evidence = Vec::new();
+        let mut add = |item| {
+            if !evidence.contains(&item) {
+                evidence.push(item);
+            }
+        };
+        let mut waiting = vec![condition];
+        let mut seen = std::collections::HashSet::new();
+        while let Some(root) = waiting.pop() {
+            for id in reachable(self.platform.program, root) {
+                match &self.platform.program.exprs[id].op {
+                    ir::Op::Sensor(sensor) | ir::Op::Failed(sensor) => {
+                        add(Evidence::Input(self.platform.input(*sensor)));
+                    }
+                    ir::Op::Event { sense, event } => {
+                        let before = self.diagram.senses.iter().take(*sense as usize);
+                        let before = before.map(|sense| self.platform.program.networks[sense.network].events.len());
+                        add(Evidence::Event(before.sum::<usize>() as u32 + event));
+                        for &sensor in &self.diagram.senses[*sense as usize].inputs {
+                            add(Evidence::Input(self.platform.input(sensor)));
+                        }
+                    }
+                    ir::Op::Flag(flag) if seen.insert(*flag) => {
+                        waiting.push(self.diagram.flags[*flag].condition);
+                    }
+                    ir::Op::After(_) => add(Evidence::Dwell),
+                    _ => {}
+                }
+            }
+        }
+        evidence
+    }
+}
