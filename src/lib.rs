@@ -4,6 +4,7 @@
 pub mod analysis;
 pub mod base;
 pub mod diag;
+pub mod driver;
 pub mod interp;
 pub mod ir;
 pub mod kernel;

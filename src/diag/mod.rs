@@ -3,8 +3,10 @@
 //! Imports: base
 //! Crates: strsim
 
+mod levels;
 pub mod rules;
 
+pub use levels::{Level, Levels};
 pub use rules::{RULES, Rule, find_rule};
 
 use crate::base::Span;

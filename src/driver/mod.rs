@@ -1,0 +1,60 @@
+//! The pipeline on one screen: files in, findings and a checked program out.
+//!
+//! Imports: analysis, base, diag, ir, plan, sema, syntax
+//! Crates: –
+
+mod library;
+mod load;
+
+pub use library::LIBRARY;
+pub use load::{FileError, Files};
+
+use crate::base::{FileId, Sources};
+use crate::diag::{self, Diagnostic, Levels, Severity};
+use crate::{analysis, ir, plan, sema};
+
+/// How to look at a compilation.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// Which findings count, and how much.
+    pub levels: Levels,
+}
+
+/// Everything known about a compilation. Broken input gives a partial program and findings.
+#[derive(Debug)]
+pub struct Analysis {
+    /// The files that were asked for, without those they import; one that could not be read is left out.
+    pub roots: Vec<FileId>,
+    /// The text of all files.
+    pub sources: Sources,
+    /// The syntax trees of all files that could be read, with what their imports led to.
+    pub units: Vec<sema::Unit>,
+    /// What they declare.
+    pub program: ir::Program,
+    /// What was found, sorted by place.
+    pub findings: Vec<Diagnostic>,
+}
+
+impl Analysis {
+    /// The token that plans are made from; `None` where a finding is an error.
+    pub fn checked(&self) -> Option<plan::Checked<'_>> {
+        plan::Checked::new(&self.program, &self.sources, &self.findings)
+    }
+
+    /// Whether some finding is an error.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|finding| finding.severity == Severity::Error)
+    }
+}
+
+/// Reads, lowers and checks `roots` and everything they import. Total: it never fails and never panics.
+/// Linear in the size of the files.
+pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analysis {
+    let load::Loaded { roots, sources, units, mut findings } = load::load(files, roots);
+    let (program, lowering) = sema::lower(&units, &sources);
+    findings.extend(lowering);
+    findings.extend(analysis::run(&program));
+    options.levels.apply(&mut findings);
+    diag::sort(&mut findings);
+    Analysis { roots, sources, units, program, findings }
+}
