@@ -10,5 +10,6 @@ pub mod ir;
 pub mod kernel;
 pub mod plan;
 pub mod sema;
+pub mod sim;
 pub mod syntax;
 pub mod trace;

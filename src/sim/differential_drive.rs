@@ -1,0 +1,293 @@
+//! A body on two driven wheels: how it follows commands, and what its load does to it.
+//!
+//! The wheels follow a commanded speed with a first-order lag, an acceleration limit, and a disturbance of tracking.
+//! Pushing boxes of mass m takes μ m g, and the wheels can give μ M g: the load caps the acceleration at
+//! μ g (M - m) / (M + m), which slows the body to a stop where the wheels slip. On meeting an additional mass dm the
+//! speed drops by v dm / (M + m), spread over the impact time.
+
+use super::random::{Purpose, Stream};
+use super::world::{Load, World};
+use crate::ir;
+
+/// Standard gravity, m/s².
+pub(super) const GRAVITY: f64 = 9.806_65;
+/// The fastest turn in place, rad/s: 45 degrees a second.
+const TURN_RATE: f64 = std::f64::consts::FRAC_PI_4;
+/// A turn is complete within this of its angle, rad, and when what it would still coast is below it too: together
+/// below half a degree.
+const TURN_TOLERANCE: f64 = 0.2 * std::f64::consts::PI / 180.0;
+/// How long a disturbance of tracking lasts, s.
+const DISTURBANCE_TIME: f64 = 0.05;
+/// Speeds up to this are lost at once when the way is blocked, m/s; faster ones over the impact time.
+const CREEP: f64 = 0.02;
+
+/// What a differential-drive body is told to do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Command {
+    /// Stand still.
+    Stop,
+    /// Drive.
+    Velocity {
+        /// m/s, forward.
+        speed: f64,
+        /// rad/s, to the left.
+        turn_rate: f64,
+    },
+    /// Turn in place by an angle in rad, to the left.
+    Rotate(f64),
+}
+
+/// A differential-drive body in motion. Wheels are left and right.
+#[derive(Debug, Clone)]
+pub(super) struct DifferentialDrive<'a> {
+    parameters: &'a ir::DifferentialDrive,
+    command: Command,
+    /// rad turned since the turn in place began.
+    turned: f64,
+    done: bool,
+    /// m/s over ground.
+    speeds: [f64; 2],
+    /// m/s, averaged over the last tick: what an encoder would tell.
+    accelerations: [f64; 2],
+    /// m/s² of the disturbance.
+    disturbance: [f64; 2],
+    /// s for which the impact under way goes on.
+    impact_left: f64,
+    /// m/s² that it takes from the wheels.
+    impact_rates: [f64; 2],
+    load: Load,
+    direction: f64,
+    noise: Stream,
+}
+
+impl<'a> DifferentialDrive<'a> {
+    /// A body at rest.
+    pub(super) fn new(parameters: &'a ir::DifferentialDrive, seed: u64) -> Self {
+        Self {
+            parameters,
+            command: Command::Stop,
+            turned: 0.0,
+            done: false,
+            speeds: [0.0; 2],
+            accelerations: [0.0; 2],
+            disturbance: [0.0; 2],
+            impact_left: 0.0,
+            impact_rates: [0.0; 2],
+            load: Load::NONE,
+            direction: 0.0,
+            noise: Stream::new(seed, Purpose::Tracking),
+        }
+    }
+
+    /// Takes a command. A turn in place that is under way goes on, unless `start` or its angle says it is another.
+    pub(super) fn command(&mut self, command: Command, start: bool) {
+        if start || command != self.command {
+            self.turned = 0.0;
+            self.done = false;
+        }
+        self.command = command;
+    }
+
+    /// Forgets that a command was completed: another mode has begun.
+    pub(super) fn forget_done(&mut self) {
+        self.done = false;
+    }
+
+    /// Whether the command has been completed; only turns in place ever are.
+    pub(super) fn done(&self) -> bool {
+        self.done
+    }
+
+    /// Speeds of the left and the right wheel, m/s.
+    pub(super) fn speeds(&self) -> [f64; 2] {
+        self.speeds
+    }
+
+    /// Accelerations of the left and the right wheel, averaged over the last tick, m/s².
+    pub(super) fn accelerations(&self) -> [f64; 2] {
+        self.accelerations
+    }
+
+    /// The force on the wedge, N: what the load takes, at most what the wheels can give.
+    pub(super) fn wedge_force(&self) -> f64 {
+        let ir::DifferentialDrive { mass, traction, .. } = *self.parameters;
+        if self.direction > 0.0 { traction * GRAVITY * self.load.mass.min(mass) } else { 0.0 }
+    }
+
+    /// Moves for one tick of `tick` seconds in `substeps` equal steps.
+    pub(super) fn advance(&mut self, world: &mut World, tick: f64, substeps: u64) {
+        let before = self.speeds;
+        let dt = tick / substeps as f64;
+        let pace = Pace::new(self.parameters, dt);
+        for _ in 0..substeps {
+            self.step(world, dt, &pace);
+        }
+        self.accelerations = [0, 1].map(|wheel| (self.speeds[wheel] - before[wheel]) / tick);
+    }
+
+    fn step(&mut self, world: &mut World, dt: f64, pace: &Pace) {
+        let target = self.target();
+        self.direction = self.way();
+        self.load = world.load(self.direction);
+        if self.load.added > 0.0 {
+            self.meet();
+        }
+        let driven = self.drive(target, dt, pace);
+        if self.impact_left > 0.0 {
+            let time = dt.min(self.impact_left);
+            for wheel in 0..2 {
+                self.speeds[wheel] += self.disturbance[wheel] * dt - self.impact_rates[wheel] * time;
+            }
+            self.impact_left = if self.impact_left - time < 1e-9 { 0.0 } else { self.impact_left - time };
+        } else {
+            self.follow(target, driven, dt);
+        }
+        let [left, right] = self.speeds;
+        let turn = (right - left) / self.parameters.track * dt;
+        let moved = world.advance(mean(self.speeds) * dt, turn);
+        if moved.drive_blocked {
+            self.lose([mean(self.speeds); 2]);
+        }
+        if moved.turn_blocked {
+            let half = (right - left) / 2.0;
+            self.lose([-half, half]);
+        }
+        self.progress(moved.turned);
+    }
+
+    /// The way it drives: 1, -1, or 0 for a body that neither drives nor is told to.
+    fn way(&self) -> f64 {
+        let speed = mean(self.speeds);
+        if speed.abs() > CREEP {
+            return speed.signum();
+        }
+        let told = mean(self.target());
+        if told == 0.0 { 0.0 } else { told.signum() }
+    }
+
+    /// Commanded speeds of the wheels, m/s.
+    fn target(&self) -> [f64; 2] {
+        let (speed, turn_rate) = match self.command {
+            Command::Stop => (0.0, 0.0),
+            Command::Velocity { speed, turn_rate } => (speed, turn_rate),
+            Command::Rotate(_) if self.done => (0.0, 0.0),
+            Command::Rotate(angle) => {
+                let ir::DifferentialDrive { lag, acceleration_limit, track, .. } = *self.parameters;
+                // Through the lag, a rate of 1/(4 lag) for each rad that is left is the fastest without overshoot;
+                // the acceleration limit may ask for a longer slope.
+                let slope = (0.25 / lag).min(acceleration_limit / (track * TURN_RATE));
+                (0.0, ((angle - self.turned) * slope).clamp(-TURN_RATE, TURN_RATE))
+            }
+        };
+        let across = turn_rate * self.parameters.track / 2.0;
+        [speed - across, speed + across]
+    }
+
+    /// The accelerations the wheels are driven with, disturbance included, m/s².
+    fn drive(&mut self, target: [f64; 2], dt: f64, pace: &Pace) -> [f64; 2] {
+        let limit = self.parameters.acceleration_limit;
+        if target == [0.0; 2] {
+            self.disturbance = [0.0; 2];
+        } else if pace.disturbance > 0.0 {
+            for disturbance in &mut self.disturbance {
+                *disturbance = *disturbance * pace.kept + self.noise.normal() * pace.disturbance;
+            }
+        }
+        [0, 1].map(|wheel| {
+            let wanted = (target[wheel] - self.speeds[wheel]) * pace.followed / dt;
+            wanted.clamp(-limit, limit) + self.disturbance[wheel]
+        })
+    }
+
+    /// Speeds up or slows down as far as the load lets it.
+    fn follow(&mut self, target: [f64; 2], driven: [f64; 2], dt: f64) {
+        let cap = self.cap();
+        let excess = (mean(driven) * self.direction - cap).max(0.0) * self.direction;
+        let before = mean(self.speeds);
+        for (speed, driven) in self.speeds.iter_mut().zip(driven) {
+            *speed += (driven - excess) * dt;
+        }
+        if cap < 0.0 && mean(target) * self.direction > 0.0 {
+            // The wheels slip: the body comes to rest on the arc it was on, and stays.
+            let after = mean(self.speeds);
+            if after * self.direction <= 0.0 {
+                self.speeds = [0.0; 2];
+            } else {
+                let across = (self.speeds[1] - self.speeds[0]) / 2.0 * (after / before).clamp(0.0, 1.0);
+                self.speeds = [after - across, after + across];
+            }
+        }
+    }
+
+    /// The largest acceleration with this load, m/s².
+    fn cap(&self) -> f64 {
+        let ir::DifferentialDrive { mass, traction, .. } = *self.parameters;
+        let load = self.load.mass;
+        if load == 0.0 {
+            f64::INFINITY
+        } else if load.is_finite() {
+            traction * GRAVITY * (mass - load) / (mass + load)
+        } else {
+            -traction * GRAVITY
+        }
+    }
+
+    /// Begins an impact with what has been added to the load.
+    fn meet(&mut self) {
+        let Load { mass, added } = self.load;
+        let share = if added.is_finite() { added / (self.parameters.mass + mass) } else { 1.0 };
+        let lost = mean(self.speeds) * share;
+        let time = self.parameters.impact_time;
+        self.impact_rates = self.impact_rates.map(|rate| (rate * self.impact_left + lost) / time);
+        self.impact_left = time;
+    }
+
+    /// Takes speed from the wheels because the way is blocked.
+    fn lose(&mut self, lost: [f64; 2]) {
+        if lost.iter().all(|lost| lost.abs() <= CREEP) {
+            for (speed, lost) in self.speeds.iter_mut().zip(lost) {
+                *speed -= lost;
+            }
+        } else if self.impact_left == 0.0 {
+            self.impact_left = self.parameters.impact_time;
+            self.impact_rates = lost.map(|lost| lost / self.impact_left);
+        }
+    }
+
+    /// Counts what a turn in place has turned, and whether that completes it.
+    fn progress(&mut self, turned: f64) {
+        if let Command::Rotate(angle) = self.command
+            && !self.done
+        {
+            self.turned += turned;
+            let [left, right] = self.speeds;
+            let coast = (right - left) / self.parameters.track * self.parameters.lag;
+            self.done = (angle - self.turned).abs() <= TURN_TOLERANCE && coast.abs() <= TURN_TOLERANCE;
+        }
+    }
+}
+
+/// What depends on the length of a step alone.
+struct Pace {
+    /// The share of a difference in speed that the lag makes up for in one step.
+    followed: f64,
+    /// The share of a disturbance that is left after one step.
+    kept: f64,
+    /// Standard deviation of what is new in a disturbance after one step, m/s².
+    disturbance: f64,
+}
+
+impl Pace {
+    fn new(parameters: &ir::DifferentialDrive, dt: f64) -> Self {
+        let ir::DifferentialDrive { lag, tracking_noise, .. } = *parameters;
+        let kept = (-dt / DISTURBANCE_TIME).exp();
+        // The lag fights the disturbance: of an Ornstein-Uhlenbeck process with time constant T it leaves an
+        // acceleration with the share 1 / (1 + T / lag) of the variance. That is made up for.
+        let deviation = tracking_noise * (1.0 + DISTURBANCE_TIME / lag).sqrt();
+        Self { followed: -(-dt / lag).exp_m1(), kept, disturbance: deviation * (1.0 - kept * kept).sqrt() }
+    }
+}
+
+fn mean([left, right]: [f64; 2]) -> f64 {
+    f64::midpoint(left, right)
+}

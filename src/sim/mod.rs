@@ -1,0 +1,18 @@
+//! Tries a plan on a simulated robot: bodies, sensors, worlds, faults, and what a scenario expects.
+//!
+//! Imports: base, interp, ir, plan, trace
+//! Crates: nalgebra, rand_distr, rand_pcg
+
+mod differential_drive;
+mod expect;
+#[cfg(test)]
+mod fixture;
+mod geometry;
+mod random;
+mod record;
+mod run;
+mod sensing;
+mod world;
+
+pub use expect::{Verdict, judge};
+pub use run::{Run, RunError, RunOptions, run};

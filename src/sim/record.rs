@@ -1,0 +1,172 @@
+//! Writes down what happens in a run, tick by tick.
+
+use super::world::World;
+use crate::base::Unit;
+use crate::interp::{Machine, Reading, Taken};
+use crate::ir;
+use crate::plan::{self, Plan};
+use crate::trace::{Column, Evidence, Footprint, ModeChange, Signal, Trace};
+
+/// A trace being written.
+#[derive(Debug)]
+pub(super) struct Recorder<'a> {
+    plan: &'a Plan,
+    trace: Trace,
+    /// For each watched condition, whether it held, one for each tick.
+    held: Vec<Vec<bool>>,
+    /// The mode that acted on the tick before.
+    mode: Option<u32>,
+}
+
+impl<'a> Recorder<'a> {
+    /// An empty trace with room for `ticks` ticks.
+    pub(super) fn new(
+        plan: &'a Plan,
+        scenario: &ir::Scenario,
+        bodies: Vec<Footprint>,
+        seed: u64,
+        ticks: usize,
+    ) -> Self {
+        let column = |name: String, unit: String, signal| {
+            let values = Vec::with_capacity(ticks);
+            Column { name, unit, signal, values }
+        };
+        let plain = |name: String, signal| column(name, "1".to_owned(), signal);
+        let mut columns = Vec::new();
+        for (index, input) in (0..).zip(&plan.inputs) {
+            columns.push(column(input.name.clone(), input.unit.dimension.si_unit(), Signal::Reading(index)));
+        }
+        for (index, event) in (0..).zip(&plan.events) {
+            columns.push(plain(format!("{}.contributor", event.name), Signal::Contributor(index)));
+            columns.push(plain(format!("{}.detractor", event.name), Signal::Detractor(index)));
+            columns.push(plain(event.name.clone(), Signal::Event(index)));
+        }
+        for (index, flag) in (0..).zip(&plan.flags) {
+            columns.push(plain(flag.name.clone(), Signal::Flag(index)));
+        }
+        for (index, body) in (0..).zip(&bodies) {
+            columns.push(column(format!("{}.x", body.name), "m".to_owned(), Signal::X(index)));
+            columns.push(column(format!("{}.y", body.name), "m".to_owned(), Signal::Y(index)));
+            columns.push(column(format!("{}.heading", body.name), "rad".to_owned(), Signal::Heading(index)));
+        }
+        let trace = Trace {
+            scenario: scenario.symbol.name.clone(),
+            behavior: plan.name.clone(),
+            robot: plan.robot.clone(),
+            seed,
+            times: Vec::with_capacity(ticks),
+            modes: plan.modes.iter().map(|mode| mode.name.clone()).collect(),
+            mode: Vec::with_capacity(ticks),
+            columns,
+            changes: Vec::new(),
+            bodies,
+            walls: scenario.walls.iter().map(|wall| wall.corners.clone()).collect(),
+            goal: scenario.goal,
+        };
+        Self { plan, trace, held: vec![Vec::with_capacity(ticks); plan.watched.len()], mode: None }
+    }
+
+    /// Writes down one tick. `dwell` is how long the mode that was active before it had been active by now, ns.
+    pub(super) fn tick(
+        &mut self,
+        time: u64,
+        readings: &[Reading],
+        machine: &Machine<'_>,
+        taken: Taken,
+        dwell: u64,
+        world: &World,
+    ) {
+        self.trace.times.push(time);
+        self.trace.mode.push(machine.mode());
+        self.change(time, readings, machine, taken, dwell);
+        self.mode = Some(machine.mode());
+        for (held, &watched) in self.held.iter_mut().zip(&self.plan.watched) {
+            held.push(machine.bool(watched));
+        }
+        let plan = self.plan;
+        let truth = |bool| f64::from(u8::from(machine.bool(bool)));
+        let sensors = readings.iter().map(|reading| reading.value);
+        let events = plan
+            .events
+            .iter()
+            .flat_map(|event| [machine.real(event.contributor), machine.real(event.detractor), truth(event.flag)]);
+        let flags = plan.flags.iter().map(|flag| truth(flag.value));
+        let robot = (world.robot().middle(), world.heading());
+        let boxes = world.boxes().map(|shape| (shape.middle(), shape.pose.rotation.angle()));
+        let poses = std::iter::once(robot).chain(boxes).flat_map(|(middle, heading)| [middle.x, middle.y, heading]);
+        for (column, value) in self.trace.columns.iter_mut().zip(sensors.chain(events).chain(flags).chain(poses)) {
+            column.values.push(value);
+        }
+    }
+
+    fn change(&mut self, time: u64, readings: &[Reading], machine: &Machine<'_>, taken: Taken, dwell: u64) {
+        let to = machine.mode();
+        let (priority, condition, evidence) = match taken {
+            Taken::Stayed => return,
+            Taken::Entered => (None, String::new(), Vec::new()),
+            Taken::Transition(index) => {
+                let transition = &self.plan.transitions[index as usize];
+                let shown = transition.evidence.iter().map(|&of| show(self.plan, of, readings, machine, dwell));
+                (Some(transition.priority), transition.text.clone(), shown.collect())
+            }
+            Taken::Lost { input, .. } => {
+                let name = self.plan.inputs[input as usize].name.clone();
+                (None, format!("failed({name})"), vec![Evidence { name, text: "failed".to_owned() }])
+            }
+        };
+        self.trace.changes.push(ModeChange { time, from: self.mode, to, priority, condition, evidence });
+    }
+
+    /// The trace, and for each watched condition whether it held on each tick.
+    pub(super) fn finish(self) -> (Trace, Vec<Vec<bool>>) {
+        (self.trace, self.held)
+    }
+}
+
+fn show(plan: &Plan, of: plan::Evidence, readings: &[Reading], machine: &Machine<'_>, dwell: u64) -> Evidence {
+    match of {
+        plan::Evidence::Input(index) => {
+            let input = &plan.inputs[index as usize];
+            let text = match readings.get(index as usize) {
+                Some(reading) if reading.healthy => show_briefly(&input.unit, reading.value),
+                Some(_) | None => "failed".to_owned(),
+            };
+            Evidence { name: input.name.clone(), text }
+        }
+        plan::Evidence::Event(index) => {
+            let event = &plan.events[index as usize];
+            let (contributor, detractor) = (machine.real(event.contributor), machine.real(event.detractor));
+            let sign = if contributor > detractor { ">" } else { "<=" };
+            let text = format!("contributor {contributor:.2} {sign} detractor {detractor:.2}");
+            Evidence { name: event.name.clone(), text }
+        }
+        plan::Evidence::Dwell => {
+            Evidence { name: "time in mode".to_owned(), text: format!("{:.2} s", dwell as f64 / 1e9) }
+        }
+    }
+}
+
+/// An SI value in a unit, to four digits: more would be noise to whoever reads it.
+fn show_briefly(unit: &Unit, si: f64) -> String {
+    let scale = unit.scale.to_f64();
+    let value = si / scale;
+    if value == 0.0 || !value.is_finite() {
+        return unit.show(si);
+    }
+    let digit = 10_f64.powi(value.abs().log10().floor() as i32 - 3);
+    unit.show((value / digit).round() * digit * scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::{Dimension, Exact};
+
+    #[test]
+    fn evidence_has_four_digits() {
+        let centimetres = Unit { text: "cm".to_owned(), scale: Exact::new(1, 100, 0), dimension: Dimension::LENGTH };
+        assert_eq!(show_briefly(&centimetres, 0.123_456_789), "12.35 cm");
+        assert_eq!(show_briefly(&Unit::one(), -1234.567), "-1235");
+        assert_eq!(show_briefly(&Unit::one(), 0.0), "0");
+    }
+}
