@@ -9,6 +9,7 @@ pub mod interp;
 pub mod ir;
 pub mod kernel;
 pub mod plan;
+pub mod report;
 pub mod sema;
 pub mod sim;
 pub mod syntax;
