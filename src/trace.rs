@@ -111,4 +111,23 @@ impl Trace {
     pub fn column(&self, signal: Signal) -> Option<&Column> {
         self.columns.iter().find(|column| column.signal == signal)
     }
+
+    /// The columns of events and named flags, with the shortest name that tells each from the others: the event's
+    /// alone where no other event or flag has it, else with its network. Costs the square of their number.
+    pub fn flags(&self) -> Vec<(&str, &Column)> {
+        let is_flag = |column: &&Column| matches!(column.signal, Signal::Event(_) | Signal::Flag(_));
+        let flags: Vec<&Column> = self.columns.iter().filter(is_flag).collect();
+        let alone = |name: &str| flags.iter().filter(|other| short(other) == name).count() == 1;
+        flags.iter().map(|&column| (if alone(short(column)) { short(column) } else { &*column.name }, column)).collect()
+    }
+}
+
+/// What stands behind the last dot.
+fn short(column: &Column) -> &str {
+    column.name.rsplit('.').next().unwrap_or_default()
+}
+
+/// Nanoseconds as the nearest number of seconds.
+pub fn seconds(nanoseconds: u64) -> f64 {
+    nanoseconds as f64 / 1e9
 }

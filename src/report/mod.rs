@@ -1,17 +1,24 @@
 //! What was found and what happened, for people and for programs: one renderer a file, each a function from values to
 //! text.
 //!
-//! Imports: base, diag
-//! Crates: codespan-reporting, serde, serde_json
+//! Imports: base, diag, trace
+//! Crates: codespan-reporting, csv, serde, serde_json
 
 mod human;
 mod json;
+mod paint;
 mod places;
+mod run;
 mod short;
+mod timeline;
+mod trace;
 
 #[cfg(test)]
 mod samples;
 
 pub use human::{human, summary};
 pub use json::json;
+pub use run::{Outcome, Verdict, run};
 pub use short::short;
+pub use timeline::timeline;
+pub use trace::{trace_csv, trace_jsonl};

@@ -2,6 +2,8 @@
 
 use crate::base::{FileId, Sources, Span};
 use crate::diag::{Diagnostic, find_rule};
+use crate::report::Verdict;
+use crate::trace::{Column, Evidence, ModeChange, Signal, Trace};
 
 fn rule(code: &str) -> &'static crate::diag::Rule {
     find_rule(code).unwrap()
@@ -32,4 +34,83 @@ pub fn diagnostics() -> (Vec<Diagnostic>, Sources) {
         .note("priorities are whole numbers from 1");
     let empty = Diagnostic::new(rule("LM0503"), at(fsfn, "variable force: N in 0 .. 250 {\n}\n", 0), "no terms");
     (vec![unknown, twice, empty], sources)
+}
+
+/// A run of four ticks a second with two collisions, for its words and numbers, not for its physics.
+pub fn trace() -> Trace {
+    let times: Vec<u64> = (0..=40).map(|tick| tick * 250_000_000).collect();
+    let series = |of: &dyn Fn(f64) -> f64| times.iter().map(|&time| of(crate::trace::seconds(time))).collect();
+    let column = |name: &str, unit: &str, signal, of: &dyn Fn(f64) -> f64| Column {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        signal,
+        values: series(of),
+    };
+    let between = |from: f64, to: f64| move |t: f64| f64::from(from <= t && t < to);
+    let evidence = |name: &str, text: &str| Evidence { name: name.to_owned(), text: text.to_owned() };
+    let change = |time: u64, from, to, priority, condition: &str, evidence: Vec<Evidence>| ModeChange {
+        time: time * 1_000_000,
+        from,
+        to,
+        priority,
+        condition: condition.to_owned(),
+        evidence,
+    };
+    let modes = ["init", "forward", "stop", "back_up", "random_turn", "push"];
+    Trace {
+        scenario: "two_obstacles".to_owned(),
+        behavior: "obstacle_manipulation".to_owned(),
+        robot: "j5".to_owned(),
+        seed: 1,
+        modes: modes.map(str::to_owned).to_vec(),
+        mode: times.iter().map(|&time| [0, 1, 5, 2, 3][(time / 2_000_000_000).min(4) as usize]).collect(),
+        columns: vec![
+            column("left_wheel_acceleration", "m/s^2", Signal::Reading(0), &|t| -1.71 * between(5.0, 5.25)(t)),
+            column("contact_force", "N", Signal::Reading(1), &|t| 117.72 * between(5.0, 8.0)(t) + t / 3.0),
+            column("obstacle_id.forward_collision", "1", Signal::Event(0), &|t| {
+                between(5.0, 5.5)(t) + between(8.0, 8.25)(t)
+            }),
+            column("obstacle_id.heavy_obstacle", "1", Signal::Event(1), &between(8.0, 99.0)),
+        ],
+        changes: vec![
+            change(0, None, 0, None, "", Vec::new()),
+            change(2000, Some(0), 1, Some(1), "after 2 s", vec![evidence("time in mode", "2.00 s")]),
+            change(
+                5000,
+                Some(1),
+                5,
+                Some(2),
+                "forward_collision",
+                vec![
+                    evidence("forward_collision", "contributor 0.93 > detractor 0.00"),
+                    evidence("left_wheel_acceleration", "-1.71 m/s^2"),
+                    evidence("right_wheel_acceleration", "-1.71 m/s^2"),
+                    evidence("contact_force", "117.72 N"),
+                ],
+            ),
+            change(
+                8000,
+                Some(5),
+                2,
+                Some(1),
+                "heavy_obstacle and not failed(contact_force) and after 1 s",
+                vec![evidence("heavy_obstacle", "contributor 1.00 > detractor 0.00")],
+            ),
+            change(9500, Some(2), 3, None, "contact_force failed", Vec::new()),
+        ],
+        times,
+        ..Trace::default()
+    }
+}
+
+/// One expectation that is met, and one that is not.
+pub fn verdicts() -> Vec<Verdict<'static>> {
+    vec![
+        Verdict { text: "modes init -> forward -> push -> stop -> back_up", passed: true, seen: None },
+        Verdict {
+            text: "never heavy_obstacle within 0 s .. 9 s",
+            passed: false,
+            seen: Some("heavy_obstacle set at 8 s, in mode stop: contributor 1.00 > detractor 0.00"),
+        },
+    ]
 }
