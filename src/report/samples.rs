@@ -1,7 +1,8 @@
 //! What the tests of this room render.
 
-use crate::base::{FileId, Sources, Span};
+use crate::base::{FileId, Sources, Span, Unit};
 use crate::diag::{Diagnostic, find_rule};
+use crate::plan::{Code, Event, Input, NetworkPlan, Shape, Step};
 use crate::report::Verdict;
 use crate::trace::{Column, Evidence, ModeChange, Signal, Trace};
 
@@ -113,4 +114,39 @@ pub fn verdicts() -> Vec<Verdict<'static>> {
             seen: Some("heavy_obstacle set at 8 s, in mode stop: contributor 1.00 > detractor 0.00"),
         },
     ]
+}
+
+/// Acceleration and force, two terms each, and one event with two rules for it and one against it.
+pub fn network() -> NetworkPlan {
+    let input = |name: &str, unit: &str, low, high| Input {
+        name: name.to_owned(),
+        unit: Unit { text: unit.to_owned(), ..Unit::one() },
+        low,
+        high,
+        fail: 0.0,
+    };
+    let degree = |of, zero_at, one_at, to| Step::Degree { of, shape: Shape::Ramp { zero_at, one_at }, to };
+    let steps = vec![
+        Step::Read { input: 0, to: 0 },
+        Step::Read { input: 1, to: 1 },
+        degree(0, 0.0, -1.0, 2),
+        degree(0, -1.0, 0.0, 3),
+        degree(1, 200.0, 0.0, 4),
+        degree(1, 0.0, 200.0, 5),
+        Step::Minimum { of: 0..2, to: 6 },
+        Step::Minimum { of: 2..4, to: 7 },
+        Step::Maximum { of: 4..6, to: 8 },
+        Step::Minimum { of: 6..8, to: 9 },
+        Step::Outweighs { contributor: 8, detractor: 9, to: 0 },
+    ];
+    let code = Code { steps, real_lists: vec![2, 4, 2, 5, 6, 7, 3, 4], reals: 10, bools: 1, ..Code::default() };
+    let term = |name: &str, real| (name.to_owned(), real);
+    NetworkPlan {
+        name: "obstacle_id".to_owned(),
+        inputs: vec![input("left", "m/s^2", -4.0, 4.0), input("force", "N", 0.0, 300.0)],
+        code,
+        degrees: vec![vec![term("neg", 2), term("zero", 3)], vec![term("low", 4), term("high", 5)]],
+        strengths: vec![(vec![6, 7], vec![9])],
+        events: vec![Event { name: "forward_collision".to_owned(), contributor: 8, detractor: 9, flag: 0 }],
+    }
 }
