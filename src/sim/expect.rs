@@ -101,3 +101,90 @@ fn path(trace: &Trace) -> String {
 fn seconds(nanoseconds: u64) -> String {
     format!("{} s", (nanoseconds as f64 / 1e6).round() / 1e3)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::Id;
+    use crate::ir::Expectation;
+    use crate::sim::fixture::scenario;
+    use crate::trace::ModeChange;
+
+    /// A run of three ticks a second apart: `rest`, then from 1 s on `go`, and at 2 s `go` again.
+    fn trace() -> Trace {
+        let change = |time, from, to| ModeChange {
+            time,
+            from,
+            to,
+            priority: None,
+            condition: String::new(),
+            evidence: Vec::new(),
+        };
+        Trace {
+            times: vec![0, 1_000_000_000, 2_000_000_000],
+            modes: vec!["rest".to_owned(), "go".to_owned()],
+            mode: vec![0, 1, 1],
+            changes: vec![change(0, None, 0), change(1_000_000_000, Some(0), 1), change(2_000_000_000, Some(1), 1)],
+            ..Trace::default()
+        }
+    }
+
+    fn verdict(kind: ExpectationKind, held: &[bool]) -> (bool, String) {
+        let expectation = Expectation { text: "text".to_owned(), kind, span: Span::default() };
+        let scenario = ir::Scenario { expectations: vec![expectation], ..scenario() };
+        let verdict = judge(&scenario, &trace(), &[held.to_vec()]).remove(0);
+        (verdict.passed, verdict.seen)
+    }
+
+    const fn window(from: u64, to: u64) -> Window {
+        Window { from: from * 1_000_000_000, to: to * 1_000_000_000 }
+    }
+
+    #[test]
+    fn modes_are_a_beginning_of_the_run() {
+        let modes =
+            |modes: &[u32]| verdict(ExpectationKind::Modes(modes.iter().map(|&mode| Id::new(mode)).collect()), &[]);
+        assert_eq!(modes(&[0, 1]), (true, "the run went rest, go, go".to_owned()));
+        assert_eq!(modes(&[0, 1, 1]), (true, "the run went rest, go, go".to_owned()));
+        assert_eq!(modes(&[1]), (false, "the run went rest, go, go".to_owned()));
+        assert!(!modes(&[0, 1, 1, 0]).0);
+    }
+
+    #[test]
+    fn a_transition_is_taken_within_its_window() {
+        let taken = |from, to, window| {
+            verdict(ExpectationKind::Transition { from: Id::new(from), to: Id::new(to), window }, &[])
+        };
+        assert_eq!(taken(0, 1, window(1, 1)), (true, "taken at 1 s".to_owned()));
+        assert_eq!(taken(0, 1, window(2, 3)), (false, "taken at 1 s".to_owned()));
+        assert_eq!(taken(1, 1, Window::WHOLE), (true, "taken at 2 s".to_owned()));
+        assert_eq!(taken(1, 0, Window::WHOLE), (false, "never taken; the run went rest, go, go".to_owned()));
+    }
+
+    #[test]
+    fn conditions_are_looked_at_on_the_ticks_of_their_window() {
+        use ExpectationKind::{Always, Never, Within};
+        let (id, held) = (Id::new(0), [false, true, false]);
+        assert_eq!(verdict(Within(id, window(0, 1)), &held), (true, "held at 1 s".to_owned()));
+        let late = (false, "not held then; first held at 1 s".to_owned());
+        assert_eq!(verdict(Within(id, window(2, 9)), &held), late);
+        assert_eq!(verdict(Within(id, Window::WHOLE), &[false; 3]), (false, "never held".to_owned()));
+        assert_eq!(verdict(Never(id, window(2, 2)), &held), (true, "never held".to_owned()));
+        assert_eq!(verdict(Never(id, window(0, 2)), &held), (false, "held at 1 s".to_owned()));
+        assert_eq!(verdict(Always(id, window(1, 1)), &held), (true, "always held".to_owned()));
+        assert_eq!(verdict(Always(id, window(1, 2)), &held), (false, "did not hold at 2 s".to_owned()));
+    }
+
+    #[test]
+    fn conditions_belong_to_the_expectations_that_have_one() {
+        let expectation = |kind| Expectation { text: String::new(), kind, span: Span::default() };
+        let expectations = vec![
+            expectation(ExpectationKind::Never(Id::new(0), Window::WHOLE)),
+            expectation(ExpectationKind::Modes(vec![Id::new(0)])),
+            expectation(ExpectationKind::Always(Id::new(1), Window::WHOLE)),
+        ];
+        let scenario = ir::Scenario { expectations, ..scenario() };
+        let verdicts = judge(&scenario, &trace(), &[vec![false; 3], vec![true; 3]]);
+        assert!(verdicts.iter().all(|verdict| verdict.passed));
+    }
+}

@@ -77,6 +77,13 @@ pub(super) struct Moved {
     pub(super) turn_blocked: bool,
 }
 
+/// What the robot slides out of instead of pushing it away.
+#[derive(Debug, Clone, Copy)]
+enum Yields {
+    ToWalls,
+    ToAll,
+}
+
 impl World {
     /// A world with a robot; `heading` in rad.
     pub(super) fn new(robot: Rectangle, heading: f64) -> Self {
@@ -194,10 +201,11 @@ impl World {
         let mut moved = Moved { turned: 0.0, drive_blocked: false, turn_blocked: false };
         for _ in 0..steps as u32 {
             let (forward, turn) = (forward / steps, turn / steps);
-            let (mut drove, mut turned) = (self.attempt(forward, turn), true);
+            let (mut drove, mut turned) = (self.attempt(forward, turn, Yields::ToWalls), true);
             if drove.is_none() {
-                drove = self.attempt(forward, 0.0);
-                turned = drove.is_none() && self.attempt(0.0, turn).is_some();
+                drove = self.attempt(forward, 0.0, Yields::ToWalls);
+                // A robot that turns shoves itself off what it cannot move, so that it never sticks for good.
+                turned = turn == 0.0 || self.attempt(0.0, turn, Yields::ToAll).is_some();
             }
             moved.turned += if turned { turn } else { 0.0 };
             moved.turn_blocked |= !turned;
@@ -210,7 +218,7 @@ impl World {
 
     /// Makes a step if it leaves nothing in one place with something else. How far the robot then got in the
     /// direction of `forward`, m.
-    fn attempt(&mut self, forward: f64, turn: f64) -> Option<f64> {
+    fn attempt(&mut self, forward: f64, turn: f64, yields: Yields) -> Option<f64> {
         let before = self.robot;
         let middle = self.heading + turn / 2.0;
         let way = Vector2::new(middle.cos(), middle.sin());
@@ -219,7 +227,7 @@ impl World {
         self.robot.half = before.half;
         self.undo.clear();
         self.moved.clear();
-        if self.leave_walls() && self.push_boxes() {
+        if self.leave_obstacles(yields) && self.push_boxes() {
             self.heading = heading;
             return Some((self.robot.middle() - before.middle()).dot(&way) * forward.signum());
         }
@@ -230,13 +238,17 @@ impl World {
         None
     }
 
-    /// Slides the robot out of the walls it has run into. Whether that was possible.
-    fn leave_walls(&mut self) -> bool {
-        // Twice round settles a corner of two walls; what needs more is wedged in.
-        for _ in 0..3 {
+    /// Slides the robot out of what it has run into and yields to. Whether that was possible.
+    fn leave_obstacles(&mut self, yields: Yields) -> bool {
+        let boxes = match yields {
+            Yields::ToWalls => &[],
+            Yields::ToAll => self.boxes.as_slice(),
+        };
+        // A round settles one obstacle, another one its neighbor; what needs more is wedged in.
+        for _ in 0..4 {
             let mut free = true;
-            for wall in &self.walls {
-                if let Some(Contact { normal, depth }) = overlap(wall, &self.robot) {
+            for obstacle in self.walls.iter().chain(boxes.iter().map(|one| &one.shape)) {
+                if let Some(Contact { normal, depth }) = overlap(obstacle, &self.robot) {
                     self.robot.shift(normal * depth);
                     free = false;
                 }
@@ -302,4 +314,166 @@ impl World {
 /// How two things are in one place; `None` where they are not.
 pub(super) fn overlap(first: &Rectangle, second: &Rectangle) -> Option<Contact> {
     contact(first, second, 0.0).filter(|found| found.depth > SLOP)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{PI, TAU};
+
+    use super::*;
+    use crate::sim::random::{Purpose, Stream};
+
+    fn world() -> World {
+        World::new(Rectangle::new(Vector2::zeros(), 0.0, 1.0, 0.75), 0.0)
+    }
+
+    fn wall(from: [f64; 2], to: [f64; 2]) -> Rectangle {
+        Rectangle::line(from.into(), to.into())
+    }
+
+    fn cargo(x: f64, y: f64) -> Rectangle {
+        Rectangle::new(Vector2::new(x, y), 0.0, 0.4, 0.6)
+    }
+
+    fn place(world: &World, index: usize) -> Vector2<f64> {
+        world.boxes[index].shape.middle()
+    }
+
+    /// The deepest overlap of any two things, m.
+    fn deepest(world: &World) -> f64 {
+        let solid: Vec<&Rectangle> = std::iter::once(&world.robot).chain(world.boxes()).collect();
+        let mut deepest = 0.0_f64;
+        for (index, first) in solid.iter().enumerate() {
+            let others = solid[index + 1..].iter().copied().chain(&world.walls);
+            for other in others {
+                deepest = deepest.max(contact(first, other, 0.0).map_or(0.0, |found| found.depth));
+            }
+        }
+        deepest
+    }
+
+    fn drive(world: &mut World, steps: usize, forward: f64, turn: f64) {
+        for _ in 0..steps {
+            world.load(forward.signum());
+            world.advance(forward, turn);
+        }
+    }
+
+    #[test]
+    fn a_box_is_pushed_straight_ahead() {
+        let mut world = world();
+        world.add_box(cargo(1.0, 0.1), 30.0);
+        drive(&mut world, 1000, 0.001, 0.0);
+        // The robot's front ends at 1.5 m, half the box's length before its middle.
+        assert!((place(&world, 0) - Vector2::new(1.7, 0.1)).norm() < 2.0 * SLOP);
+        assert_eq!(world.load(1.0).mass, 30.0);
+        assert_eq!(world.load(-1.0).mass, 0.0);
+    }
+
+    #[test]
+    fn a_row_of_boxes_is_one_load() {
+        let mut world = world();
+        for (index, mass) in [10.0, 20.0, 40.0].into_iter().enumerate() {
+            world.add_box(cargo(0.75 + 0.5 * index as f64, 0.0), mass);
+        }
+        // Gaps of 0.05, 0.1 and 0.1 m: the masses join one after the other, each once.
+        let mut met = Vec::new();
+        for _ in 0..300 {
+            let load = world.load(1.0);
+            if load.added > 0.0 {
+                met.push((load.added, load.mass));
+            }
+            world.advance(0.001, 0.0);
+        }
+        assert_eq!(met, [(10.0, 10.0), (20.0, 30.0), (40.0, 70.0)]);
+    }
+
+    #[test]
+    fn on_an_arc_a_box_slides_along_the_wedge_and_off_it() {
+        let mut world = world();
+        world.add_box(cargo(0.7, 0.0), 30.0);
+        let offset = |world: &World| (place(world, 0) - world.robot.middle()).dot(&world.robot.left());
+        let mut before = offset(&world);
+        let mut last_touch = 0;
+        for step in 0..4000 {
+            drive(&mut world, 1, 0.001, 0.001);
+            if world.load(1.0).mass > 0.0 {
+                last_touch = step;
+                // The robot curves to the left, so the box only ever drifts to the right.
+                assert!(offset(&world) < before + 1e-9);
+                before = offset(&world);
+            }
+        }
+        // It was pushed for more than half a metre, and is left behind long before a full turn.
+        assert!((500..1500).contains(&last_touch), "{last_touch}");
+    }
+
+    #[test]
+    fn a_wall_ahead_stops_the_robot_and_what_it_pushes() {
+        let mut world = world();
+        world.add_wall(wall([1.5, -2.0], [1.5, 2.0]));
+        world.add_box(cargo(0.9, 0.0), 30.0);
+        drive(&mut world, 2000, 0.001, 0.0);
+        // The last step may have been given up for a wall nearer than its millimetre.
+        assert!((0.599..0.6 + SLOP).contains(&world.robot.middle().x), "{}", world.robot.middle().x);
+        assert!(world.advance(0.01, 0.0).drive_blocked);
+        drive(&mut world, 1000, 0.000_001, 0.0);
+        assert_eq!(world.load(1.0).mass, f64::INFINITY);
+        assert!(deepest(&world) <= SLOP);
+    }
+
+    #[test]
+    fn a_robot_slides_along_a_wall_beside_it() {
+        let mut world = world();
+        world.add_wall(wall([-5.0, 0.4], [5.0, 0.4]));
+        drive(&mut world, 200, 0.001, 0.000_5);
+        let heading = world.heading();
+        drive(&mut world, 1000, 0.001, 0.0);
+        assert!(heading > 0.0 && world.robot.middle().x > 1.1);
+        assert!(deepest(&world) <= SLOP);
+    }
+
+    #[test]
+    fn a_robot_turns_itself_off_a_wall_and_off_a_box_before_one() {
+        for pinned in [false, true] {
+            let mut world = world();
+            let at = if pinned { -0.9 } else { -0.5 };
+            world.add_wall(wall([at, -2.0], [at, 2.0]));
+            if pinned {
+                world.add_box(cargo(-0.7, 0.0), 30.0);
+            }
+            drive(&mut world, 1000, 0.0, PI / 1000.0);
+            assert!((world.heading() - PI).abs() < 1e-9, "{pinned}: {}", world.heading());
+            assert!(deepest(&world) <= SLOP);
+        }
+    }
+
+    #[test]
+    fn nothing_ever_stands_in_one_place_or_passes_a_wall() {
+        for seed in 0..200 {
+            let mut stream = Stream::new(seed, Purpose::Tracking);
+            let mut world = world();
+            let corners = [[-2.0, -2.0], [2.5, -2.0], [2.0, 2.0], [-2.0, 1.8]];
+            for index in 0..4 {
+                world.add_wall(wall(corners[index], corners[(index + 1) % 4]));
+            }
+            for _ in 0..12 {
+                let middle = Vector2::new(stream.between(-1.7, 1.7), stream.between(-1.5, 1.5));
+                let size = [stream.between(0.05, 0.6), stream.between(0.05, 0.6)];
+                let shape = Rectangle::new(middle, stream.between(0.0, TAU), size[0], size[1]);
+                let free = |other| overlap(other, &shape).is_none();
+                if std::iter::once(&world.robot).chain(world.boxes()).chain(&world.walls).all(free) {
+                    world.add_box(shape, stream.between(5.0, 120.0));
+                }
+            }
+            for _ in 0..12 {
+                // Up to 30 mm a step: many times what robots drive in a millisecond.
+                let (forward, turn) = (stream.between(-0.03, 0.03), stream.between(-0.05, 0.05));
+                drive(&mut world, 10, forward, turn);
+                assert!(deepest(&world) <= SLOP, "seed {seed}: {}", deepest(&world));
+            }
+            let inside = |place: Vector2<f64>| place.x.abs() < 2.5 && place.y.abs() < 2.0;
+            assert!(inside(world.robot.middle()) && world.boxes().all(|shape| inside(shape.middle())), "seed {seed}");
+        }
+    }
 }
