@@ -14,3 +14,4 @@ pub mod sema;
 pub mod sim;
 pub mod syntax;
 pub mod trace;
+pub mod view;

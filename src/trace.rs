@@ -67,6 +67,18 @@ pub enum Signal {
     Heading(u32),
 }
 
+impl Signal {
+    /// Whether it is part of the pose of a body.
+    pub const fn is_pose(self) -> bool {
+        matches!(self, Self::X(_) | Self::Y(_) | Self::Heading(_))
+    }
+
+    /// Whether it is true or false: the flag of an event, or a named flag.
+    pub const fn is_flag(self) -> bool {
+        matches!(self, Self::Event(_) | Self::Flag(_))
+    }
+}
+
 /// The outline of something that moves: a rectangle around its pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Footprint {
@@ -115,8 +127,7 @@ impl Trace {
     /// The columns of events and named flags, with the shortest name that tells each from the others: the event's
     /// alone where no other event or flag has it, else with its network. Costs the square of their number.
     pub fn flags(&self) -> Vec<(&str, &Column)> {
-        let is_flag = |column: &&Column| matches!(column.signal, Signal::Event(_) | Signal::Flag(_));
-        let flags: Vec<&Column> = self.columns.iter().filter(is_flag).collect();
+        let flags: Vec<&Column> = self.columns.iter().filter(|column| column.signal.is_flag()).collect();
         let alone = |name: &str| flags.iter().filter(|other| short(other) == name).count() == 1;
         flags.iter().map(|&column| (if alone(short(column)) { short(column) } else { &*column.name }, column)).collect()
     }

@@ -6,7 +6,7 @@ use serde::Serializer;
 use serde::ser::SerializeMap;
 
 use super::run::mode_name;
-use crate::trace::{Column, Signal, Trace, seconds};
+use crate::trace::{Column, Trace, seconds};
 
 /// Writes a trace as CSV: a header, then a line a tick with `t` in seconds, the name of the mode, and every column in
 /// SI with full precision; flags are 0 and 1.
@@ -27,7 +27,7 @@ pub fn trace_csv(trace: &Trace, to: impl Write) -> Result<()> {
         to.write_field(active(trace, tick))?;
         for column in &trace.columns {
             let value = value(column, tick);
-            if is_flag(column) {
+            if column.signal.is_flag() {
                 to.write_field(if value == 0.0 { "0" } else { "1" })?;
             } else {
                 number(&mut to, &mut field, value)?;
@@ -51,7 +51,7 @@ pub fn trace_jsonl(trace: &Trace, mut to: impl Write) -> Result<()> {
         object.serialize_entry("mode", active(trace, tick))?;
         for column in &trace.columns {
             let value = value(column, tick);
-            if is_flag(column) {
+            if column.signal.is_flag() {
                 object.serialize_entry(&column.name, &(value != 0.0))?;
             } else {
                 object.serialize_entry(&column.name, &value)?;
@@ -76,10 +76,6 @@ fn active(trace: &Trace, tick: usize) -> &str {
 /// The value on a tick; not a number where the column ends before it.
 fn value(column: &Column, tick: usize) -> f64 {
     column.values.get(tick).copied().unwrap_or(f64::NAN)
-}
-
-fn is_flag(column: &Column) -> bool {
-    matches!(column.signal, Signal::Event(_) | Signal::Flag(_))
 }
 
 #[cfg(test)]
