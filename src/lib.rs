@@ -3,6 +3,7 @@
 
 pub mod analysis;
 pub mod base;
+pub mod cli;
 pub mod diag;
 pub mod driver;
 pub mod interp;

@@ -1,2 +1,7 @@
 //! The command line; see `lmslc --help`.
-fn main() {}
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    lmslc::cli::main()
+}

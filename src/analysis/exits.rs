@@ -6,7 +6,7 @@ use crate::ir::{Diagram, Mode, Transition};
 pub(super) fn check(diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
     for mode in diagram.modes.values() {
         match (mode.is_final, mode.transitions.first()) {
-            (false, None) if mode.otherwise.is_none() => findings.push(dead_end(mode)),
+            (false, None) if mode.otherwise.is_none() && !mode.incomplete => findings.push(dead_end(mode)),
             (true, Some(transition)) => findings.push(final_with_exit(mode, transition)),
             _ => {}
         }

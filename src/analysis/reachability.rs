@@ -7,7 +7,8 @@ use crate::diag::{Diagnostic, rules};
 use crate::ir::{Diagram, Mode};
 
 pub(super) fn check(diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
-    let Some(entry) = diagram.entry else { return };
+    // What was left out may have held the way to a mode.
+    let (Some(entry), false) = (diagram.entry, diagram.incomplete) else { return };
     let mut graph = DiGraph::<(), ()>::with_capacity(diagram.modes.len(), diagram.modes.len());
     let nodes: Vec<_> = diagram.modes.ids().map(|_| graph.add_node(())).collect();
     for (id, mode) in diagram.modes.iter() {

@@ -1,6 +1,6 @@
 //! The pipeline on one screen: files in, findings and a checked program out.
 //!
-//! Imports: analysis, base, diag, ir, plan, sema, syntax
+//! Imports: analysis, base, diag, ir, plan, sema, sim, syntax
 //! Crates: –
 
 mod library;
@@ -11,7 +11,7 @@ pub use load::{FileError, Files};
 
 use crate::base::{FileId, Sources};
 use crate::diag::{self, Diagnostic, Levels, Severity};
-use crate::{analysis, ir, plan, sema};
+use crate::{analysis, ir, plan, sema, sim};
 
 /// How to look at a compilation.
 #[derive(Debug, Clone, Default)]
@@ -54,6 +54,7 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     let (program, lowering) = sema::lower(&units, &sources);
     findings.extend(lowering);
     findings.extend(analysis::run(&program));
+    findings.extend(sim::placements(&program));
     options.levels.apply(&mut findings);
     diag::sort(&mut findings);
     Analysis { roots, sources, units, program, findings }

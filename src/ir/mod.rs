@@ -353,6 +353,8 @@ pub struct Diagram {
     pub modes: Arena<Mode>,
     /// The mode it starts in; `None` where that was reported missing.
     pub entry: Option<Id<Mode>>,
+    /// Whether something in it or in one of its modes was broken, reported and left out.
+    pub incomplete: bool,
 }
 
 /// A network bound to sensors.
@@ -394,6 +396,8 @@ pub struct Mode {
     pub on_exit: Vec<Call>,
     /// Its ways out, by priority.
     pub transitions: Vec<Transition>,
+    /// Whether something in it was broken, reported and left out; then nothing can be said of what it lacks.
+    pub incomplete: bool,
 }
 
 /// A way out of a mode.

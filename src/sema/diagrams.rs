@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::conditions::Scene;
 use super::{Lower, claim, missing_part, not_supported, symbol, unknown};
-use crate::base::{Id, Span};
+use crate::base::{Arena, Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
 use crate::syntax::ast;
@@ -69,7 +69,10 @@ impl<'a> Lower<'a> {
             .enumerate()
             .map(|(index, mode)| (mode.name.text.as_str(), Id::new(index as u32)))
             .collect();
-        let lowered = parts.modes.iter().map(|mode| self.mode(mode, &modes, &actions, &mut scene)).collect();
+        let lowered: Arena<ir::Mode> =
+            parts.modes.iter().map(|mode| self.mode(mode, &modes, &actions, &mut scene)).collect();
+        let broken = |tree: &&ast::Diagram| tree.items.iter().any(|item| matches!(item, ast::DiagramItem::Error(_)));
+        let incomplete = chain.iter().any(broken) || lowered.values().any(|mode| mode.incomplete);
         let mut diagram = ir::Diagram {
             symbol: symbol(&tree.name, tree.doc.as_ref()),
             layer,
@@ -78,6 +81,7 @@ impl<'a> Lower<'a> {
             flags,
             modes: lowered,
             entry: None,
+            incomplete,
         };
         match parts.entry {
             Some((entry, _)) => diagram.entry = self.mode_named(entry, &modes),
@@ -237,7 +241,7 @@ impl<'a> Lower<'a> {
     }
 
     /// Lowers flags so that each stands after those it uses, whatever their order in the text.
-    fn flags(&mut self, trees: &[&'a ast::Flag], scene: &mut Scene) -> crate::base::Arena<ir::Flag> {
+    fn flags(&mut self, trees: &[&'a ast::Flag], scene: &mut Scene) -> Arena<ir::Flag> {
         let places: HashMap<&str, usize> =
             trees.iter().enumerate().map(|(index, flag)| (flag.name.text.as_str(), index)).collect();
         let uses: Vec<Vec<usize>> = trees
@@ -257,7 +261,7 @@ impl<'a> Lower<'a> {
         let mut waiting: Vec<usize> = uses.iter().map(Vec::len).collect();
         let mut ready: std::collections::VecDeque<usize> =
             (0..trees.len()).filter(|&flag| waiting[flag] == 0).collect();
-        let mut lowered = crate::base::Arena::default();
+        let mut lowered = Arena::default();
         let mut placed = vec![false; trees.len()];
         while let Some(next) = ready.pop_front() {
             let tree = trees[next];

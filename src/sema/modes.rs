@@ -34,6 +34,7 @@ impl Lower<'_> {
             on_enter: Vec::new(),
             on_exit: Vec::new(),
             transitions: Vec::new(),
+            incomplete: tree.items.iter().any(|item| matches!(item, ast::ModeItem::Error(_))),
         };
         for name in &tree.requires {
             let sensor = self.sensor_named(name, &scene.sensors);
@@ -59,7 +60,10 @@ impl Lower<'_> {
         let own = modes.get(tree.name.text.as_str()).copied();
         for item in &tree.items {
             if let ast::ModeItem::Transition(transition) = item {
-                mode.transitions.extend(self.transition(transition, own, modes, scene));
+                match self.transition(transition, own, modes, scene) {
+                    Some(transition) => mode.transitions.push(transition),
+                    None => mode.incomplete = true,
+                }
             }
         }
         scene.reports_done = None;

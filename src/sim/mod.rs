@@ -1,6 +1,6 @@
 //! Tries a plan on a simulated robot: bodies, sensors, worlds, faults, and what a scenario expects.
 //!
-//! Imports: base, interp, ir, plan, trace
+//! Imports: base, diag, interp, ir, plan, trace
 //! Crates: nalgebra, rand_distr, rand_pcg
 
 mod differential_drive;
@@ -15,4 +15,4 @@ mod sensing;
 mod world;
 
 pub use expect::{Verdict, judge};
-pub use run::{Run, RunError, RunOptions, run};
+pub use run::{Run, RunError, RunOptions, placements, run};

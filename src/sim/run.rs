@@ -12,6 +12,7 @@ use super::record::Recorder;
 use super::sensing::Sensing;
 use super::world::{World, overlap};
 use crate::base::Span;
+use crate::diag::{Diagnostic, rules};
 use crate::interp::{Actuators, Inputs, Machine, Taken};
 use crate::ir::{self, BodyArgument, BodyCommand, BodyCommandKind, Placement};
 use crate::plan::Plan;
@@ -107,6 +108,30 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
     let (trace, held) = recorder.finish();
     let verdicts = judge(scenario, &trace, &held);
     Ok(Run { trace, verdicts })
+}
+
+/// The scenarios that cannot start: those whose robot has no body, or where things stand in one place.
+pub fn placements(program: &ir::Program) -> Vec<Diagnostic> {
+    let start = |scenario: &ir::Scenario| match &program.robots[scenario.robot].body {
+        Some(ir::Body::DifferentialDrive(body)) => build(body, scenario).err(),
+        None => Some(RunError::NoBody),
+    };
+    program.scenarios.values().filter_map(|scenario| Some(cannot_start(scenario, &start(scenario)?))).collect()
+}
+
+fn cannot_start(scenario: &ir::Scenario, error: &RunError) -> Diagnostic {
+    let name = &scenario.symbol.name;
+    match error {
+        RunError::NoBody => {
+            Diagnostic::new(&rules::MISSING_PART, scenario.symbol.span, format!("the robot of `{name}` has no body"))
+                .help("write `body differential_drive { ... }` in the robot, so that it can be simulated")
+        }
+        RunError::Overlap { what, with, span } => {
+            let message = format!("{what} and {with} stand in one place at the start of `{name}`");
+            Diagnostic::new(&rules::BAD_PLACEMENT, *span, message)
+                .note("`at (x, y)` is the middle of a body, `at D ahead` the free floor in front of the robot")
+        }
+    }
 }
 
 /// Hands the machine's commands on to the body. A body does what it was last told.

@@ -1,0 +1,58 @@
+//! `lmslc check`
+
+use clap::{Args, ValueEnum};
+
+use super::files;
+use super::terminal::{Terminal, exit_code};
+use crate::report;
+
+/// Report everything that is wrong or doubtful in files.
+#[derive(Args)]
+pub(super) struct Check {
+    /// Files, folders, or `-` for standard input
+    #[arg(required = true)]
+    files: Vec<String>,
+    /// How to report
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    format: Format,
+    /// Findings to treat as errors
+    #[arg(long, value_name = "WHAT")]
+    deny: Option<Deny>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// With the source, for people
+    Human,
+    /// One line each: path:line:column: severity[code]: message
+    Short,
+    /// One JSON object a line
+    Json,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Deny {
+    /// Every warning
+    Warnings,
+}
+
+impl Check {
+    pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
+        let analysis = match files::analyze(&self.files, self.deny.is_some(), terminal) {
+            Ok(analysis) => analysis,
+            Err(code) => return code,
+        };
+        match self.format {
+            Format::Human => {
+                terminal.findings(&analysis);
+                if analysis.findings.is_empty() {
+                    let count = analysis.roots.len();
+                    terminal.note(&format!("{count} file{} checked: nothing found", if count == 1 { "" } else { "s" }));
+                }
+            }
+            Format::Short => Terminal::print(&report::short(&analysis.findings, &analysis.sources)),
+            Format::Json => Terminal::print(&report::json(&analysis.findings, &analysis.sources)),
+        }
+        exit_code(&analysis)
+    }
+}

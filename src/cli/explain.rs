@@ -1,0 +1,38 @@
+//! `lmslc explain`
+
+use clap::Args;
+
+use super::terminal::Terminal;
+use crate::diag::{self, RULES, find_rule};
+
+/// Explain a diagnostic, by its code or its name.
+#[derive(Args)]
+pub(super) struct Explain {
+    /// A code such as LM0403, or a name such as duplicate-priority; all are listed without one
+    rule: Option<String>,
+}
+
+impl Explain {
+    pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
+        let Some(wanted) = &self.rule else {
+            let width = RULES.iter().map(|rule| rule.name.len()).max().unwrap_or(0);
+            let line = |rule: &&diag::Rule| {
+                format!("{}  {:width$}  {:7}  {}\n", rule.code, rule.name, rule.level.name(), rule.summary)
+            };
+            Terminal::print(&RULES.iter().map(line).collect::<String>());
+            return super::CLEAN;
+        };
+        match find_rule(wanted) {
+            Some(rule) => {
+                Terminal::print(rule.page);
+                super::CLEAN
+            }
+            None => {
+                let known = RULES.iter().flat_map(|rule| [rule.code, rule.name]);
+                let near = diag::did_you_mean(wanted, known);
+                let help = near.unwrap_or_else(|| "`lmslc explain` lists all".to_owned());
+                terminal.fail(&format!("there is no diagnostic `{wanted}`"), Some(&help))
+            }
+        }
+    }
+}

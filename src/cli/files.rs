@@ -1,0 +1,105 @@
+//! Files on disk, and standard input.
+
+use std::io::Read;
+use std::path::Path;
+
+use super::{config, terminal::Terminal};
+use crate::driver::{self, Analysis, FileError, Files, Options};
+
+/// The disk, and standard input as `-`.
+struct Disk {
+    stdin: Option<Result<String, FileError>>,
+}
+
+impl Files for Disk {
+    fn read(&self, path: &str) -> Result<String, FileError> {
+        if path == "-" {
+            return self.stdin.clone().unwrap_or(Err(FileError::Missing));
+        }
+        if Path::new(path).is_dir() {
+            return Err(FileError::Unreadable("it is a folder".to_owned()));
+        }
+        match std::fs::read(path) {
+            Ok(bytes) => text(bytes),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Err(FileError::Missing),
+            Err(error) => Err(FileError::Unreadable(error.to_string())),
+        }
+    }
+}
+
+fn text(bytes: Vec<u8>) -> Result<String, FileError> {
+    String::from_utf8(bytes).map_err(|error| FileError::NotUtf8 { byte: error.utf8_error().valid_up_to() })
+}
+
+fn standard_input() -> Result<String, FileError> {
+    let mut bytes = Vec::new();
+    std::io::stdin().read_to_end(&mut bytes).map_err(|error| FileError::Unreadable(error.to_string()))?;
+    text(bytes)
+}
+
+/// Analyzes files, the files of folders, and `-`, under the project's configuration.
+///
+/// # Errors
+/// The exit code, where the arguments or the configuration are wrong; that has been reported.
+pub(super) fn analyze(paths: &[String], deny_warnings: bool, terminal: &Terminal) -> Result<Analysis, u8> {
+    let mut roots = Vec::new();
+    for path in paths {
+        if path != "-" && Path::new(path).is_dir() {
+            let before = roots.len();
+            collect(Path::new(path), &mut roots);
+            if roots.len() == before {
+                let message = format!("the folder `{path}` holds no `.msd` or `.fsfn` file");
+                return Err(terminal.fail(&message, None));
+            }
+        } else {
+            roots.push(path.clone());
+        }
+    }
+    let mut options = Options { levels: config::levels(roots.first().map_or("", String::as_str), terminal)? };
+    if deny_warnings {
+        options.levels.deny_warnings();
+    }
+    let stdin = roots.iter().any(|root| root == "-").then(standard_input);
+    Ok(driver::analyze(&Disk { stdin }, &roots, &options))
+}
+
+/// The files of the language in a folder and the folders in it, by name; hidden folders and `target` are passed over.
+fn collect(folder: &Path, files: &mut Vec<String>) {
+    let Ok(entries) = std::fs::read_dir(folder) else { return };
+    let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    paths.sort();
+    for path in paths {
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        if path.is_dir() {
+            if !name.starts_with('.') && name != "target" {
+                collect(&path, files);
+            }
+        } else if path.extension().is_some_and(|ending| ending == "msd" || ending == "fsfn") {
+            files.push(path.to_string_lossy().into_owned());
+        }
+    }
+}
+
+/// Writes a result to a file.
+///
+/// # Errors
+/// The exit code; the reason has been reported.
+pub(super) fn write(path: &str, bytes: &[u8], terminal: &Terminal) -> Result<(), u8> {
+    std::fs::write(path, bytes).map_err(|error| terminal.fail(&format!("`{path}` cannot be written: {error}"), None))
+}
+
+/// Reads a file that is not of the language.
+///
+/// # Errors
+/// The exit code; the reason has been reported.
+pub(super) fn read(path: &str, terminal: &Terminal) -> Result<String, u8> {
+    let text = if path == "-" { standard_input() } else { Disk { stdin: None }.read(path) };
+    text.map_err(|error| {
+        let reason = match error {
+            FileError::Missing => "there is no such file".to_owned(),
+            FileError::NotUtf8 { byte } => format!("it is not UTF-8 text from byte {byte} on"),
+            FileError::Unreadable(reason) => reason,
+        };
+        terminal.fail(&format!("`{path}` cannot be read: {reason}"), None)
+    })
+}

@@ -1,0 +1,80 @@
+//! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
+//!
+//! Imports: base, diag, driver, interp, ir, plan, report, sim, view
+//! Crates: clap, rayon, serde, toml
+#![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
+
+mod check;
+mod config;
+mod eval;
+mod explain;
+mod files;
+mod run;
+mod terminal;
+mod test;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use terminal::Terminal;
+
+/// Nothing was found.
+const CLEAN: u8 = 0;
+/// Findings, or expectations that were not met.
+const FINDINGS: u8 = 1;
+/// Wrong arguments, or files that cannot be read.
+const USAGE: u8 = 2;
+
+#[derive(Parser)]
+#[command(
+    name = "lmslc",
+    version,
+    about = "Compiles robot behavior written as text: modes with prioritized exits, fed by fuzzy sensor fusion.",
+    after_help = "Exit codes: 0 clean, 1 findings or failed expectations, 2 wrong arguments or files, 101 a bug in lmslc.\n\
+                  Human text goes to standard error, machine formats and results to standard output.",
+    max_term_width = 100
+)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    /// When to color: `auto` colors a terminal unless NO_COLOR is set
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    color: When,
+    /// Print nothing but what was asked for: no warnings, no summary
+    #[arg(short, long, global = true)]
+    quiet: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum When {
+    Auto,
+    Always,
+    Never,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Report everything that is wrong or doubtful in files
+    Check(check::Check),
+    /// Run a scenario in the simulator and print its timeline of modes
+    Run(run::Run),
+    /// Run every scenario and report each expectation
+    Test(test::Test),
+    /// Evaluate a network on given readings
+    Eval(eval::Eval),
+    /// Explain a diagnostic, by its code or its name
+    Explain(explain::Explain),
+}
+
+/// Parses the process's arguments, does what they say, and answers the exit code.
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let terminal = Terminal::new(arguments.color, arguments.quiet);
+    ExitCode::from(match arguments.command {
+        Command::Check(check) => check.execute(&terminal),
+        Command::Run(run) => run.execute(&terminal),
+        Command::Test(test) => test.execute(&terminal),
+        Command::Eval(eval) => eval.execute(&terminal),
+        Command::Explain(explain) => explain.execute(&terminal),
+    })
+}

@@ -1,0 +1,86 @@
+//! What the user sees, and where it goes.
+
+use std::io::{IsTerminal, Write};
+
+use super::When;
+use crate::diag::{Diagnostic, Severity};
+use crate::driver::Analysis;
+use crate::report;
+
+/// How to talk to the user.
+pub(super) struct Terminal {
+    /// Whether human text on standard error is colored.
+    pub(super) color_err: bool,
+    /// Whether human text on standard output is colored.
+    pub(super) color_out: bool,
+    quiet: bool,
+}
+
+impl Terminal {
+    pub(super) fn new(color: When, quiet: bool) -> Self {
+        let allowed = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        let wanted = |terminal: bool| match color {
+            When::Auto => terminal && allowed,
+            When::Always => true,
+            When::Never => false,
+        };
+        Self {
+            color_err: wanted(std::io::stderr().is_terminal()),
+            color_out: wanted(std::io::stdout().is_terminal()),
+            quiet,
+        }
+    }
+
+    /// Columns of the terminal, 100 where the output is no terminal that says.
+    pub(super) fn width() -> usize {
+        std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok()).unwrap_or(100)
+    }
+
+    /// A result, on standard output. A reader that has gone away is no error of ours.
+    pub(super) fn print(text: &str) {
+        let _ = std::io::stdout().write_all(text.as_bytes());
+    }
+
+    /// A remark, on standard error.
+    pub(super) fn note(&self, text: &str) {
+        if !self.quiet {
+            eprintln!("{text}");
+        }
+    }
+
+    /// What keeps the command from being carried out, on standard error.
+    pub(super) fn fail(&self, message: &str, help: Option<&str>) -> u8 {
+        let (red, plain) = if self.color_err { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
+        eprintln!("{red}error{plain}: {message}");
+        if let Some(help) = help {
+            eprintln!("  = help: {help}");
+        }
+        super::USAGE
+    }
+
+    /// Findings for people, on standard error; only errors when quiet.
+    pub(super) fn findings(&self, analysis: &Analysis) {
+        let shown: Vec<Diagnostic> = analysis
+            .findings
+            .iter()
+            .filter(|finding| !self.quiet || finding.severity == Severity::Error)
+            .cloned()
+            .collect();
+        if !shown.is_empty() {
+            eprint!("{}", report::human(&shown, &analysis.sources, self.color_err));
+            self.note(&report::summary(&shown));
+        }
+    }
+}
+
+/// The exit code that findings call for.
+pub(super) fn exit_code(analysis: &Analysis) -> u8 {
+    let errors = || analysis.findings.iter().filter(|finding| finding.severity == Severity::Error);
+    if errors().any(|finding| finding.rule.code.starts_with("LM00")) {
+        super::USAGE
+    } else if errors().next().is_some() {
+        super::FINDINGS
+    } else {
+        super::CLEAN
+    }
+}

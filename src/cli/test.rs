@@ -1,0 +1,86 @@
+//! `lmslc test`
+
+use clap::Args;
+use rayon::prelude::*;
+
+use super::files;
+use super::run::{Format, outcome, scenarios};
+use super::terminal::{Terminal, exit_code};
+use crate::sim::{self, RunOptions};
+use crate::{plan, report};
+
+/// Run every scenario and report each expectation.
+#[derive(Args)]
+pub(super) struct Test {
+    /// Files, folders, or `-` for standard input
+    #[arg(required = true)]
+    files: Vec<String>,
+    /// Run only scenarios whose name contains this
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    filter: String,
+    /// How to report
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    format: Format,
+}
+
+impl Test {
+    pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
+        self.carry_out(terminal).unwrap_or_else(|code| code)
+    }
+
+    fn carry_out(&self, terminal: &Terminal) -> Result<u8, u8> {
+        let analysis = files::analyze(&self.files, false, terminal)?;
+        terminal.findings(&analysis);
+        let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
+        let mut chosen = scenarios(&analysis);
+        chosen.retain(|scenario| scenario.symbol.name.contains(&self.filter));
+        if chosen.is_empty() {
+            return Err(terminal.fail("there is no scenario to run", Some("check the files, and --filter")));
+        }
+        let runs: Vec<_> = chosen
+            .par_iter()
+            .map(|scenario| {
+                let plan = plan::build_scenario(checked, scenario);
+                sim::run(&analysis.program, &plan, scenario, &RunOptions::default())
+            })
+            .collect();
+        let (mut passed, mut failed) = (0, 0);
+        for (scenario, run) in chosen.iter().zip(&runs) {
+            let path = analysis.sources.path(scenario.symbol.span.file);
+            match run {
+                Ok(run) => {
+                    let outcome = outcome(run);
+                    let met = outcome.passed();
+                    *if met { &mut passed } else { &mut failed } += 1;
+                    Terminal::print(&match self.format {
+                        Format::Json => report::run(&outcome),
+                        Format::Human if met => line("ok", path, scenario, outcome.expectations.len(), terminal),
+                        Format::Human => {
+                            let line = line("FAILED", path, scenario, outcome.expectations.len(), terminal);
+                            line + &report::timeline(&outcome, Terminal::width(), terminal.color_out)
+                        }
+                    });
+                }
+                Err(error) => {
+                    failed += 1;
+                    terminal.fail(&format!("{path}: `{}` cannot be run: {error}", scenario.symbol.name), None);
+                }
+            }
+        }
+        terminal.note(&format!("{passed} passed, {failed} failed"));
+        Ok(if failed == 0 { super::CLEAN } else { super::FINDINGS })
+    }
+}
+
+fn line(word: &str, path: &str, scenario: &crate::ir::Scenario, expectations: usize, terminal: &Terminal) -> String {
+    let (color, plain) = match (terminal.color_out, word) {
+        (false, _) => ("", ""),
+        (true, "ok") => ("\x1b[32m", "\x1b[0m"),
+        (true, _) => ("\x1b[1;31m", "\x1b[0m"),
+    };
+    let name = &scenario.symbol.name;
+    format!(
+        "{color}{word:6}{plain} {path}: {name} ({expectations} expectation{})\n",
+        if expectations == 1 { "" } else { "s" }
+    )
+}

@@ -1,0 +1,80 @@
+//! What tests share: files from memory and from the repository.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use lmslc::driver::{Analysis, FileError, Files, Options, analyze};
+
+/// Files that stand only here.
+pub struct Memory(HashMap<String, String>);
+
+impl Files for Memory {
+    fn read(&self, path: &str) -> Result<String, FileError> {
+        self.0.get(path).cloned().ok_or(FileError::Missing)
+    }
+}
+
+/// Files of the repository, by their path from its root.
+pub struct Repository;
+
+impl Files for Repository {
+    fn read(&self, path: &str) -> Result<String, FileError> {
+        match std::fs::read(root().join(path)) {
+            Ok(bytes) => {
+                String::from_utf8(bytes).map_err(|error| FileError::NotUtf8 { byte: error.utf8_error().valid_up_to() })
+            }
+            Err(_) => Err(FileError::Missing),
+        }
+    }
+}
+
+pub fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Analyzes texts under their paths; the first one is asked for.
+pub fn analyze_texts(texts: &[(&str, &str)]) -> Analysis {
+    let files = texts.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect();
+    analyze(&Memory(files), &[texts[0].0.to_owned()], &Options::default())
+}
+
+/// Analyzes one text and demands that nothing is found.
+pub fn clean(path: &str, text: &str) -> Analysis {
+    let analysis = analyze_texts(&[(path, text)]);
+    assert!(analysis.findings.is_empty(), "{}", report(&analysis));
+    analysis
+}
+
+/// The findings as a user sees them.
+pub fn report(analysis: &Analysis) -> String {
+    lmslc::report::human(&analysis.findings, &analysis.sources, false)
+}
+
+/// Analyzes a file of the repository.
+pub fn analyze_path(path: &str) -> Analysis {
+    analyze(&Repository, &[path.to_owned()], &Options::default())
+}
+
+/// The files below a folder of the repository with one of these endings, sorted, as paths from its root.
+pub fn files_below(folder: &str, endings: &[&str]) -> Vec<String> {
+    fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in std::fs::read_dir(folder).into_iter().flatten() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                walk(&path, found);
+            } else {
+                found.push(path);
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk(&root().join(folder), &mut found);
+    let fits = |path: &PathBuf| path.extension().is_some_and(|ending| endings.contains(&ending.to_str().unwrap()));
+    let mut paths: Vec<_> = found
+        .into_iter()
+        .filter(fits)
+        .map(|path| path.strip_prefix(root()).unwrap().to_str().unwrap().to_owned())
+        .collect();
+    paths.sort();
+    paths
+}
