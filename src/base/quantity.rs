@@ -149,22 +149,23 @@ pub struct Dimension {
 
 const BASE_SYMBOLS: [&str; 6] = ["m", "kg", "s", "A", "K", "rad"];
 
-/// Dimensions that engineers call by name.
-const NAMED: [(Dimension, &str); 14] = [
-    (Dimension::NONE, "a plain number"),
-    (Dimension::of([1, 0, 0, 0, 0, 0]), "a length"),
-    (Dimension::of([0, 1, 0, 0, 0, 0]), "a mass"),
-    (Dimension::TIME, "a time"),
-    (Dimension::of([0, 0, 0, 1, 0, 0]), "a current"),
-    (Dimension::of([0, 0, 0, 0, 1, 0]), "a temperature"),
-    (Dimension::ANGLE, "an angle"),
-    (Dimension::of([1, 0, -1, 0, 0, 0]), "a speed"),
-    (Dimension::of([1, 0, -2, 0, 0, 0]), "an acceleration"),
-    (Dimension::of([1, 1, -2, 0, 0, 0]), "a force"),
-    (Dimension::of([0, 0, -1, 0, 0, 1]), "a turn rate"),
-    (Dimension::of([0, 0, -1, 0, 0, 0]), "a frequency"),
-    (Dimension::of([2, 1, -3, -1, 0, 0]), "a voltage"),
-    (Dimension::of([2, 1, -3, 0, 0, 0]), "a power"),
+/// Dimensions that engineers call by name, and the SI units with names of their own.
+const NAMED: [(Dimension, &str, Option<&str>); 15] = [
+    (Dimension::NONE, "a plain number", None),
+    (Dimension::LENGTH, "a length", None),
+    (Dimension::MASS, "a mass", None),
+    (Dimension::TIME, "a time", None),
+    (Dimension::of([0, 0, 0, 1, 0, 0]), "a current", None),
+    (Dimension::of([0, 0, 0, 0, 1, 0]), "a temperature", None),
+    (Dimension::ANGLE, "an angle", None),
+    (Dimension::SPEED, "a speed", None),
+    (Dimension::ACCELERATION, "an acceleration", None),
+    (Dimension::FORCE, "a force", Some("N")),
+    (Dimension::TURN_RATE, "a turn rate", None),
+    (Dimension::of([0, 0, -1, 0, 0, 0]), "a frequency", Some("Hz")),
+    (Dimension::of([2, 1, -3, -1, 0, 0]), "a voltage", Some("V")),
+    (Dimension::of([2, 1, -3, 0, 0, 0]), "a power", Some("W")),
+    (Dimension::of([-1, 1, -2, 0, 0, 0]), "a pressure", Some("Pa")),
 ];
 
 impl Dimension {
@@ -180,6 +181,12 @@ impl Dimension {
     pub const ANGLE: Self = Self::of([0, 0, 0, 0, 0, 1]);
     /// Speed.
     pub const SPEED: Self = Self::of([1, 0, -1, 0, 0, 0]);
+    /// Acceleration.
+    pub const ACCELERATION: Self = Self::of([1, 0, -2, 0, 0, 0]);
+    /// Force.
+    pub const FORCE: Self = Self::of([1, 1, -2, 0, 0, 0]);
+    /// Turn rate.
+    pub const TURN_RATE: Self = Self::of([0, 0, -1, 0, 0, 1]);
 
     /// The dimension with these powers of metre, kilogram, second, ampere, kelvin and radian.
     pub const fn of(powers: [i8; 6]) -> Self {
@@ -197,8 +204,11 @@ impl Dimension {
         Some(Self { powers })
     }
 
-    /// The SI unit of the dimension, such as `kg m/s^2`; `1` for a plain number.
+    /// The SI unit of the dimension, such as `N` or `m/s^2`; `1` for a plain number.
     pub fn si_unit(self) -> String {
+        if let Some((_, _, Some(symbol))) = NAMED.iter().find(|(dimension, ..)| *dimension == self) {
+            return (*symbol).to_owned();
+        }
         let part = |sign: i8| {
             let factors = BASE_SYMBOLS.iter().zip(self.powers).filter(|(_, power)| power.signum() == sign);
             let names = factors.map(|(symbol, power)| match power.unsigned_abs() {
@@ -223,9 +233,9 @@ impl Dimension {
 impl fmt::Display for Dimension {
     /// In words where there are some: `a speed (m/s)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match NAMED.iter().find(|(dimension, _)| dimension == self) {
-            Some((Self::NONE, name)) => f.write_str(name),
-            Some((_, name)) => write!(f, "{name} ({})", self.si_unit()),
+        match NAMED.iter().find(|(dimension, ..)| dimension == self) {
+            Some((Self::NONE, name, _)) => f.write_str(name),
+            Some((_, name, _)) => write!(f, "{name} ({})", self.si_unit()),
             None => write!(f, "a quantity in {}", self.si_unit()),
         }
     }

@@ -12,24 +12,20 @@ use crate::syntax::ast;
 
 /// The places where a differential-drive body can be measured, and what each gives.
 const SOURCES: &[(&str, SensorSource, Dimension)] = &[
-    ("wheel.left.acceleration", SensorSource::LeftWheelAcceleration, Dimension::of([1, 0, -2, 0, 0, 0])),
-    ("wheel.right.acceleration", SensorSource::RightWheelAcceleration, Dimension::of([1, 0, -2, 0, 0, 0])),
+    ("wheel.left.acceleration", SensorSource::LeftWheelAcceleration, Dimension::ACCELERATION),
+    ("wheel.right.acceleration", SensorSource::RightWheelAcceleration, Dimension::ACCELERATION),
     ("wheel.left.speed", SensorSource::LeftWheelSpeed, Dimension::SPEED),
     ("wheel.right.speed", SensorSource::RightWheelSpeed, Dimension::SPEED),
-    ("wedge.force", SensorSource::WedgeForce, Dimension::of([1, 1, -2, 0, 0, 0])),
+    ("wedge.force", SensorSource::WedgeForce, Dimension::FORCE),
 ];
-
-const TURN_RATE: Dimension = Dimension::of([0, 0, -1, 0, 0, 1]);
 
 /// The commands of a differential-drive body with the dimensions of their arguments.
 const COMMANDS: &[(&str, BodyCommandKind, &[Dimension])] = &[
     ("body.stop", BodyCommandKind::Stop, &[]),
-    ("body.velocity", BodyCommandKind::Velocity, &[Dimension::SPEED, TURN_RATE]),
+    ("body.velocity", BodyCommandKind::Velocity, &[Dimension::SPEED, Dimension::TURN_RATE]),
     ("body.arc", BodyCommandKind::Arc, &[Dimension::SPEED, Dimension::LENGTH]),
     ("body.rotate", BodyCommandKind::Rotate, &[Dimension::ANGLE]),
 ];
-
-const ACCELERATION: Dimension = Dimension::of([1, 0, -2, 0, 0, 0]);
 
 /// The parameters of a differential-drive body: name, dimension, number of values, default.
 const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
@@ -38,9 +34,9 @@ const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
     ("track", Dimension::LENGTH, 1, None),
     ("traction", Dimension::NONE, 1, None),
     ("lag", Dimension::TIME, 1, Some(0.15)),
-    ("acceleration_limit", ACCELERATION, 1, Some(2.0)),
+    ("acceleration_limit", Dimension::ACCELERATION, 1, Some(2.0)),
     ("impact_time", Dimension::TIME, 1, Some(0.05)),
-    ("tracking_noise", ACCELERATION, 1, Some(0.2)),
+    ("tracking_noise", Dimension::ACCELERATION, 1, Some(0.2)),
 ];
 
 impl Lower<'_> {

@@ -73,33 +73,39 @@ fn sensors(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace, columns: &[&Column])
     for (index, (column, color)) in columns.iter().zip(COLORS).enumerate() {
         // Where the two wheels of a robot do the same, the thinner one leaves the other visible.
         let width = if index == 0 && columns.len() == 2 { 2.4 } else { 1.2 };
-        svg.path("", color, width, &line(sheet, trace, column, scale));
+        svg.path("", color, width, &curve(points(sheet, trace, column, scale), sheet.bucket));
         panel.legend_curve(svg, index, (color, width), &column.name);
     }
     panel.frame(svg);
     panel
 }
 
-/// What a unit measures, and the unit as it is printed.
+/// SI units as traces write them, with what they measure and how they are printed.
+const MEASURED: [(&str, &str); 16] = [
+    ("1", "reading"),
+    ("m", "distance (m)"),
+    ("m/s", "speed (m/s)"),
+    ("m/s^2", "acceleration (m/s²)"),
+    ("N", "force (N)"),
+    ("rad", "angle (rad)"),
+    ("rad/s", "turn rate (rad/s)"),
+    ("kg", "mass (kg)"),
+    ("s", "time (s)"),
+    ("Hz", "frequency (Hz)"),
+    ("A", "current (A)"),
+    ("K", "temperature (K)"),
+    ("V", "voltage (V)"),
+    ("W", "power (W)"),
+    ("Pa", "pressure (Pa)"),
+    ("J", "energy (J)"),
+];
+
+/// The name of an axis for readings in a unit.
 fn measured(unit: &str) -> String {
-    let quantity = match unit {
-        "" | "1" => return "reading".to_owned(),
-        "m" => "distance",
-        "m/s" => "speed",
-        "m/s^2" => "acceleration",
-        "N" => "force",
-        "rad" => "angle",
-        "rad/s" => "turn rate",
-        "kg" => "mass",
-        "s" => "time",
-        "V" => "voltage",
-        "A" => "current",
-        "K" => "temperature",
-        "Pa" => "pressure",
-        _ => "reading",
-    };
-    let printed = unit.replace("^2", "²").replace("^3", "³").replace('*', "·");
-    format!("{quantity} ({printed})")
+    match MEASURED.iter().find(|(known, _)| *known == unit) {
+        Some((_, name)) => (*name).to_owned(),
+        None => format!("reading ({})", unit.replace("^2", "²").replace("^3", "³")),
+    }
 }
 
 /// Contributor and detractor of an event, and its flag below them.
@@ -108,11 +114,16 @@ fn event(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace, event: u32, name: &str
     let scale = Scale { low: 0.0, high: 1.0, from: panel.bottom - 3.0, to: panel.top + 3.0 };
     panel.vertical_axis(svg, scale, 2.0, "strength");
     panel.legend_name(svg, 0, "name", name);
-    let sides = [("detractor", Signal::Detractor(event), 1), ("contributor", Signal::Contributor(event), 0)];
-    for (line_number, (side, signal, color)) in [2, 1].into_iter().zip(sides) {
+    // At a tie, where the flag stays clear, the thinner contributor leaves the detractor visible.
+    let sides =
+        [(2, "detractor", Signal::Detractor(event), 1, 2.6), (1, "contributor", Signal::Contributor(event), 0, 1.4)];
+    for (line_number, side, signal, color, width) in sides {
         if let (Some(column), Some(color)) = (trace.column(signal), COLORS.get(color)) {
-            svg.path("", color, 1.6, &line(sheet, trace, column, scale));
-            panel.legend_curve(svg, line_number, (color, 1.6), side);
+            // A strength is from 0 to 1; anything else must not leave the panel.
+            let inside = |(x, y): (f64, f64)| (x, if y.is_finite() { y.clamp(scale.to, scale.from) } else { y });
+            let data = curve(points(sheet, trace, column, scale).map(inside), sheet.bucket);
+            svg.path("", color, width, &data);
+            panel.legend_curve(svg, line_number, (color, width), side);
         }
     }
     panel.frame(svg);
@@ -183,10 +194,6 @@ fn changes(svg: &mut Svg, sheet: &Sheet, trace: &Trace, (top, bottom): (f64, f64
     }
 }
 
-fn line(sheet: &Sheet, trace: &Trace, column: &Column, scale: Scale) -> String {
-    curve(points(sheet, trace, column, scale), sheet.bucket)
-}
-
 fn points<'a>(
     sheet: &Sheet,
     trace: &'a Trace,
@@ -195,4 +202,31 @@ fn points<'a>(
 ) -> impl Iterator<Item = (f64, f64)> + use<'a> {
     let time = sheet.time;
     trace.times.iter().zip(&column.values).map(move |(&at, &value)| (time.px(seconds(at)), scale.px(value)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_name_what_a_unit_measures() {
+        assert_eq!(
+            ["m/s^2", "N", "1", "m^2/s^3"].map(measured),
+            ["acceleration (m/s²)", "force (N)", "reading", "reading (m²/s³)"]
+        );
+    }
+
+    #[test]
+    fn readings_share_a_panel_by_unit_and_evenly() {
+        let column = |number: u32, unit: &str| Column {
+            name: String::new(),
+            unit: unit.to_owned(),
+            signal: Signal::Reading(number),
+            values: Vec::new(),
+        };
+        let columns = (0..14).map(|number| column(number, "m")).chain([column(14, "N"), column(15, "m")]);
+        let trace = Trace { columns: columns.collect(), ..Trace::default() };
+        let sizes: Vec<usize> = groups(&trace).iter().map(Vec::len).collect();
+        assert_eq!(sizes, [5, 5, 5, 1]);
+    }
 }

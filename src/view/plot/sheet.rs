@@ -37,7 +37,7 @@ pub(super) struct Panel {
 impl Sheet {
     pub(super) fn new(trace: &Trace) -> Self {
         let names = trace.modes.iter().map(|mode| width_of(mode)).fold(0.0, f64::max);
-        let left = EDGE + (names.min(MODE_NAME) + 46.0).max(84.0);
+        let left = EDGE + (names.min(MODE_NAME) + 54.0).max(84.0);
         let right = WIDTH - EDGE - LEGEND;
         let duration = trace.times.last().map_or(0.0, |&time| seconds(time));
         let time = Scale { low: 0.0, high: if duration > 0.0 { duration } else { 1.0 }, from: left, to: right };
