@@ -1,2 +1,110 @@
-//! Benches.
-fn main() {}
+//! How fast the pipeline is: `cargo bench`.
+#![expect(clippy::unwrap_used, reason = "a bench without its input has nothing to measure")]
+
+use divan::{Bencher, black_box, counter::ItemsCount};
+use lmslc::base::{FileId, Id};
+use lmslc::driver::{Analysis, FileError, Files, Options, analyze};
+use lmslc::interp::{Actuators, Evaluator, Inputs, Machine, Reading};
+use lmslc::sim::{self, RunOptions};
+use lmslc::syntax::{ast::FileKind, parse};
+use lmslc::{plan, report};
+
+fn main() {
+    divan::main();
+}
+
+struct Text(String);
+
+impl Files for Text {
+    fn read(&self, path: &str) -> Result<String, FileError> {
+        if path == "main.msd" { Ok(self.0.clone()) } else { Err(FileError::Missing) }
+    }
+}
+
+fn check(text: &str) -> Analysis {
+    analyze(&Text(text.to_owned()), &["main.msd".to_owned()], &Options::default())
+}
+
+/// A behavior of so many lines, five to a mode.
+fn behavior(lines: usize) -> String {
+    let modes = lines / 5;
+    let mut text = "import std.robots.j5\nbehavior big on j5 {\n    entry m0\n".to_owned();
+    for mode in 0..modes {
+        let (next, far) = ((mode + 1) % modes, (mode * 7 + 3) % modes);
+        text += &format!(
+            "    mode m{mode} {{\n        drive(26 cm/s)\n        1: contact_force > 10 N and not failed(contact_force) -> m{far}\n        2: after 2 s -> m{next}\n    }}\n"
+        );
+    }
+    text + "}\n"
+}
+
+const MANIPULATION: &str = include_str!("../examples/j5/manipulation.msd");
+
+#[divan::bench(args = [100, 1_000, 10_000, 100_000], max_time = 3)]
+fn parse_lines(bencher: Bencher, lines: usize) {
+    let text = behavior(lines);
+    bencher.counter(ItemsCount::new(lines)).bench(|| parse(FileId(0), FileKind::Modes, black_box(&text)));
+}
+
+#[divan::bench(args = [100, 1_000, 10_000, 100_000], max_time = 3)]
+fn check_lines(bencher: Bencher, lines: usize) {
+    let text = behavior(lines);
+    assert!(check(&text).findings.is_empty());
+    bencher.counter(ItemsCount::new(lines)).bench(|| check(black_box(&text)));
+}
+
+/// What an editor waits for: the experiment with everything it imports.
+#[divan::bench]
+fn check_manipulation() -> Analysis {
+    check(black_box(MANIPULATION))
+}
+
+#[divan::bench]
+fn evaluate_obstacle_id(bencher: Bencher) {
+    let analysis = check(MANIPULATION);
+    let network = analysis.program.networks.ids().next().unwrap();
+    let plan = plan::build_network(analysis.checked().unwrap(), network);
+    let mut evaluator = Evaluator::new(&plan);
+    let readings = [-0.7, -1.0, 118.0].map(|value| Reading { value, healthy: true });
+    bencher.bench_local(|| {
+        evaluator.evaluate(black_box(&readings), 10_000_000);
+        evaluator.bool(plan.events[0].flag)
+    });
+}
+
+struct Deaf;
+
+impl Actuators for Deaf {
+    fn command(&mut self, _action: u32, arguments: &[f64], _start: bool) {
+        black_box(arguments);
+    }
+}
+
+#[divan::bench]
+fn tick_of_obstacle_manipulation(bencher: Bencher) {
+    let analysis = check(MANIPULATION);
+    let scenario = &analysis.program.scenarios[Id::new(0)];
+    let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
+    let mut machine = Machine::new(&plan, 1);
+    let readings = [0.0, 0.1, 0.0].map(|value| Reading { value, healthy: true });
+    bencher.bench_local(|| {
+        machine.step(Inputs { readings: black_box(&readings), done: false }, 10_000_000, &mut Deaf)
+    });
+}
+
+/// Ten seconds at 10 ms a tick, with noise, contact, trace and expectations: a tenth of it is a simulated second.
+#[divan::bench]
+fn simulate_ten_seconds(bencher: Bencher) {
+    let analysis = check(MANIPULATION);
+    let scenario = &analysis.program.scenarios[Id::new(0)];
+    let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
+    bencher.bench(|| sim::run(&analysis.program, &plan, scenario, &RunOptions::default()).unwrap());
+}
+
+#[divan::bench]
+fn report_a_thousand_findings(bencher: Bencher) {
+    let text = behavior(5_000).replace("after 2 s", "after 2");
+    let analysis = check(&text);
+    assert_eq!(analysis.findings.len(), 1_000);
+    bencher.bench(|| report::human(&analysis.findings, &analysis.sources, false));
+}
