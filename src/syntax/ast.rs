@@ -481,18 +481,20 @@ pub enum ExprKind {
 }
 
 /// The sign of a term of a sum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Sign {
     /// `+`
+    #[default]
     Plus,
     /// `-`
     Minus,
 }
 
 /// The side of a fraction a factor stands on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Factor {
     /// `*`
+    #[default]
     Times,
     /// `/`
     Over,

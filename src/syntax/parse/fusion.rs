@@ -50,8 +50,10 @@ impl Tree<'_> {
         let mut all = Vec::new();
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::kw_or => alternatives.push(join(std::mem::take(&mut all), ShapeKind::And)?),
-                Rule::kw_and => {}
+                Rule::connective if part.as_str() == "or" => {
+                    alternatives.push(join(std::mem::take(&mut all), ShapeKind::And)?);
+                }
+                Rule::connective => {}
                 _ => all.push(self.shape_operand(part)?),
             }
         }
@@ -63,7 +65,7 @@ impl Tree<'_> {
         let mut prefixes = Vec::new();
         let mut parts = pair.into_inner();
         let mut part = parts.next()?;
-        while matches!(part.as_rule(), Rule::kw_not | Rule::hedge) {
+        while matches!(part.as_rule(), Rule::negation | Rule::hedge) {
             prefixes.push(part);
             part = parts.next()?;
         }
@@ -71,7 +73,7 @@ impl Tree<'_> {
         for prefix in prefixes.into_iter().rev() {
             let span = self.span(&prefix).to(shape.span);
             let kind = match prefix.as_rule() {
-                Rule::hedge => ShapeKind::Hedge(self.name(&prefix), Box::new(shape)),
+                Rule::hedge => ShapeKind::Hedge(self.word(&prefix), Box::new(shape)),
                 _ => ShapeKind::Not(Box::new(shape)),
             };
             shape = Shape { kind, span };
@@ -124,15 +126,15 @@ impl Tree<'_> {
         Some(Network { doc: self.doc(span), name, inputs, settings, items: Vec::new(), span })
     }
 
-    fn network_input(&self, pair: Pair<'_>) -> Option<NetworkInput> {
+    fn network_input(&mut self, pair: Pair<'_>) -> Option<NetworkInput> {
         let mut parts = Parts::of(pair);
         Some(NetworkInput { name: self.next_name(&mut parts)?, variable: self.next_name(&mut parts)? })
     }
 
-    fn setting(&self, pair: Pair<'_>) -> Option<Setting> {
+    fn setting(&mut self, pair: Pair<'_>) -> Option<Setting> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
-        let key = self.name(&parts.take(Rule::setting_key)?);
+        let key = self.word(&parts.take(Rule::setting_key)?);
         let mut values = Vec::new();
         while let Some(value) = parts.next() {
             values.push(match value.as_rule() {
@@ -236,7 +238,7 @@ impl Tree<'_> {
         })
     }
 
-    fn output_default(&self, clause: Pair<'_>) -> Option<OutputDefault> {
+    fn output_default(&mut self, clause: Pair<'_>) -> Option<OutputDefault> {
         let value = clause.into_inner().nth(1)?;
         match value.as_rule() {
             Rule::kw_hold => Some(OutputDefault::Hold(self.span(&value))),
@@ -262,7 +264,7 @@ impl Tree<'_> {
         let value = parts.next()?;
         let value = match value.as_rule() {
             Rule::is_term => ConsequentValue::Term(self.clause_name(value)?),
-            _ => ConsequentValue::Linear(self.sum(Parts::of(value).take(Rule::sum)?)?),
+            _ => ConsequentValue::Linear(self.expression(Parts::of(value).take(Rule::sum)?)?),
         };
         Some(Consequent { output, value })
     }

@@ -62,8 +62,9 @@ impl Block {
 pub enum BraceFault {
     /// An opening brace, and the token in front of which it should have been closed.
     Unclosed { open: usize, before: usize },
-    /// A closing brace that closes nothing.
-    Extra { close: usize },
+    /// A closing brace that closes nothing; `expected` where the declaration before it has no opening brace, which
+    /// is reported there.
+    Extra { close: usize, expected: bool },
 }
 
 /// Tokens with their braces paired.
@@ -138,22 +139,27 @@ impl<'a> Layout<'a> {
 
     fn is_extra(&self, index: usize) -> bool {
         let from = self.faults.partition_point(|fault| fault.token() < index);
-        self.faults.get(from).is_some_and(|fault| *fault == BraceFault::Extra { close: index })
+        self.faults.get(from).is_some_and(|fault| matches!(fault, BraceFault::Extra { close, .. } if *close == index))
     }
 
     fn pair_braces(&mut self) {
         let mut stack: Vec<(usize, Opener)> = Vec::new();
         let mut opener = Opener::Other;
+        let mut expects_block = false;
         for index in 0..self.tokens.len() {
             match self.kind(index) {
                 Some(Kind::Word) => {
                     let cut = self.cut_by(index, &stack);
                     self.close_down_to(cut, &mut stack, index);
                     opener = self.opener(index, stack.is_empty()).unwrap_or(opener);
+                    if stack.is_empty() && self.starts_declaration(index) {
+                        expects_block = !matches!(self.word(index), "import" | "property");
+                    }
                 }
                 Some(Kind::OpenBrace) => {
                     stack.push((index, opener));
                     opener = Opener::Other;
+                    expects_block = false;
                 }
                 Some(Kind::CloseBrace) => {
                     match stack.last() {
@@ -161,7 +167,7 @@ impl<'a> Layout<'a> {
                             stack.pop();
                             self.set_close(open, index);
                         }
-                        _ => self.faults.push(BraceFault::Extra { close: index }),
+                        _ => self.faults.push(BraceFault::Extra { close: index, expected: expects_block }),
                     }
                     opener = Opener::Other;
                 }
@@ -169,7 +175,7 @@ impl<'a> Layout<'a> {
             }
         }
         self.close_down_to(0, &mut stack, self.tokens.len());
-        self.faults.sort_by_key(|fault| fault.token());
+        self.faults.sort_by_key(BraceFault::token);
     }
 
     /// How many blocks stay open in front of a word that cannot stand in them.
@@ -266,7 +272,7 @@ impl<'a> Layout<'a> {
             at = self.behind_block(start);
         }
         while let Some(kind) = self.kind(at) {
-            let begins = self.is_first(at) || self.word(start) == "import";
+            let begins = self.is_first(at) || self.word(start) == "import" && at > start + 1;
             if begins && self.starts_declaration(at) || self.is_extra(at) {
                 return at;
             }
@@ -339,23 +345,23 @@ impl<'a> Layout<'a> {
     fn starts_member(&self, block: Block, at: usize, open: usize) -> bool {
         let (word, next) = (self.word(at), self.token_text(at + 1));
         let before = self.token_text(at - 1);
-        let fresh = self.is_first(at) && (at == open + 1 || !is_operator(before));
+        let fresh = self.is_first(at) && (at == open + 1 || !is_operator(before)) && !is_operator(word);
         let is_keyword = block.keywords().contains(&word);
         let begins = match block {
-            Block::Terms => self.kind(at) == Some(Kind::Word) && next == "=",
+            Block::Terms => self.kind(at) == Some(Kind::Word) && (next == "=" || fresh),
             Block::Network | Block::Arbiter => is_keyword,
             Block::Diagram => is_keyword && before != "final",
-            Block::Robot if word == "body" => self.kind(at + 1) == Some(Kind::Word),
+            Block::Robot if word == "body" => self.kind(at + 1) == Some(Kind::Word) && before != "=",
             Block::Robot => is_keyword && before != "optional",
             Block::Event => is_keyword || self.starts_row(at, fresh),
             Block::Decide => self.starts_row(at, fresh),
             Block::Mode if self.kind(at) == Some(Kind::Number) => next == ":" || fresh,
-            Block::Mode => is_keyword || self.starts_call(at, fresh),
+            Block::Mode => is_keyword || fresh && self.kind(at) == Some(Kind::Word) || self.starts_call(at, fresh),
             Block::Commands => self.starts_call(at, fresh),
             Block::Team => word == "robot" || fresh && matches!(next, "." | "="),
             Block::World => is_keyword && (fresh || matches!(before, ")" | "open")),
             Block::Scenario => match word {
-                "duration" | "tick" | "seed" => self.kind(at + 1) == Some(Kind::Number),
+                "duration" | "tick" | "seed" => fresh || self.kind(at + 1) == Some(Kind::Number),
                 _ => is_keyword,
             },
         };
@@ -364,7 +370,7 @@ impl<'a> Layout<'a> {
     }
 
     fn starts_row(&self, at: usize, fresh: bool) -> bool {
-        self.token_text(at) == "(" && (fresh || matches!(self.token_text(at - 1), ")" | "nothing"))
+        self.kind(at) == Some(Kind::Open) && (fresh || matches!(self.token_text(at - 1), ")" | "nothing"))
     }
 
     fn starts_call(&self, at: usize, fresh: bool) -> bool {
@@ -378,7 +384,7 @@ impl BraceFault {
     pub fn token(&self) -> usize {
         match self {
             Self::Unclosed { open, .. } => *open,
-            Self::Extra { close } => *close,
+            Self::Extra { close, .. } => *close,
         }
     }
 }

@@ -12,6 +12,9 @@ mod phrases;
 mod recovery;
 mod robots;
 mod scan;
+#[cfg(test)]
+#[allow(clippy::indexing_slicing, reason = "tests")]
+mod tests;
 mod tree;
 mod trials;
 
@@ -85,9 +88,10 @@ pub fn parse(file: FileId, kind: FileKind, text: &str) -> (File, Vec<Diagnostic>
     let layout = Layout::new(text, &scan);
     let tree = Tree { file, text, scan: &scan, base: 0, diagnostics: Vec::new() };
     let mut recovery = Recovery { tree, layout: &layout };
-    for &fault in &layout.faults {
-        recovery.tree.diagnostics.push(message::brace_fault(&layout, file, fault));
-    }
+    recovery
+        .tree
+        .diagnostics
+        .extend(layout.faults.iter().filter_map(|&fault| message::brace_fault(&layout, file, fault)));
     let mut items = Vec::new();
     for piece in layout.declarations() {
         let item = recovery.declaration(&piece);

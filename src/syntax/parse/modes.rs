@@ -30,10 +30,12 @@ impl Tree<'_> {
         let (mut on, mut extends) = (None, None);
         while let Some(clause) = parts.next() {
             let place = self.span(&clause);
-            match clause.as_rule() {
-                Rule::on_clause => self.once(&mut on, self.clause_name(clause)?, place, "on"),
-                _ => self.once(&mut extends, self.clause_name(clause)?, place, "extends"),
-            }
+            let (slot, word) = match clause.as_rule() {
+                Rule::on_clause => (&mut on, "on"),
+                _ => (&mut extends, "extends"),
+            };
+            let name = self.clause_name(clause)?;
+            self.once(slot, name, place, word);
         }
         Some(Diagram { doc: self.doc(span), layer, name, on, extends, items: Vec::new(), span })
     }
@@ -73,16 +75,14 @@ impl Tree<'_> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let head = self.mode_head(parts.take(Rule::mode_head)?)?;
-        let items = match parts.take(Rule::mode_block) {
-            Some(block) => {
-                let mut items = Parts::of(block);
-                items.take_all(Rule::mode_item).map(|item| self.mode_item(item)).collect::<Option<_>>()?
+        let mut items = Vec::new();
+        if let Some(block) = parts.take(Rule::mode_block) {
+            for item in Parts::of(block).take_all(Rule::mode_item) {
+                items.push(self.mode_item(item)?);
             }
-            None => {
-                self.require_block(&head);
-                Vec::new()
-            }
-        };
+        } else {
+            self.require_block(&head);
+        }
         Some(Mode { items, span, ..head })
     }
 
@@ -104,9 +104,12 @@ impl Tree<'_> {
         let (mut child, mut requires) = (None, None);
         while let Some(clause) = parts.next() {
             let place = self.span(&clause);
-            match clause.as_rule() {
-                Rule::child => self.once(&mut child, self.child(clause)?, place, "="),
-                _ => self.once(&mut requires, self.requires(clause)?, place, "requires"),
+            if clause.as_rule() == Rule::child {
+                let value = self.child(clause)?;
+                self.once(&mut child, value, place, "=");
+            } else {
+                let value = self.requires(clause)?;
+                self.once(&mut requires, value, place, "requires");
             }
         }
         let (requires, otherwise) = requires.unwrap_or_default();
@@ -114,13 +117,13 @@ impl Tree<'_> {
         Some(Mode { doc: self.doc(span), is_final, name, child, requires, otherwise, items, span })
     }
 
-    fn child(&self, pair: Pair<'_>) -> Option<Child> {
+    fn child(&mut self, pair: Pair<'_>) -> Option<Child> {
         let mut parts = Parts::of(pair);
         let diagram = self.next_name(&mut parts)?;
         Some(Child { diagram, resume: parts.take(Rule::resume).map(|word| self.span(&word)) })
     }
 
-    fn requires(&self, pair: Pair<'_>) -> Option<(Vec<Name>, Option<Name>)> {
+    fn requires(&mut self, pair: Pair<'_>) -> Option<(Vec<Name>, Option<Name>)> {
         let mut parts = Parts::of(pair);
         let names = self.names(parts.take(Rule::names)?);
         let otherwise = match parts.take(Rule::otherwise) {
@@ -190,7 +193,7 @@ impl Tree<'_> {
 
     fn nothing(&self, pair: &Pair<'_>) -> Expr {
         let span = self.span(pair);
-        Expr { kind: ExprKind::Path(Path { segments: vec![self.name(pair)], span }), span }
+        Expr { kind: ExprKind::Path(Path { segments: vec![self.word(pair)], span }), span }
     }
 
     pub fn arbiter(&mut self, pair: Pair<'_>) -> Option<Arbiter> {

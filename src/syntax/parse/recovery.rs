@@ -17,6 +17,10 @@ use crate::syntax::ast::{
 type Piece = Range<usize>;
 type Make<'a, T> = for<'t, 'i> fn(&'t mut Tree<'a>, Pair<'i>) -> Option<T>;
 
+/// A piece of more tokens than this is tried a member at a time first: the parser's memory grows with what it parses
+/// at once, and that costs more than cutting.
+const LARGE: usize = 2000;
+
 /// Parses the pieces of one file.
 pub struct Recovery<'a> {
     pub tree: Tree<'a>,
@@ -40,7 +44,7 @@ impl<'a> Recovery<'a> {
         item.unwrap_or_else(|| Item::Error(self.span(piece)))
     }
 
-    /// Parses a piece as a whole, else what is sound inside it.
+    /// Parses a piece as a whole, else what is sound inside it; the other way round where it is large.
     fn whole_or_inside<T>(
         &mut self,
         rule: Rule,
@@ -48,16 +52,37 @@ impl<'a> Recovery<'a> {
         make: Make<'a, T>,
         inside: fn(&mut Self, &Piece) -> Option<T>,
     ) -> Option<T> {
-        let failure = match self.attempt(rule, piece, make) {
-            Ok(node) => return Some(node),
-            Err(failure) => failure,
-        };
         let before = self.tree.diagnostics.len();
+        if piece.len() <= LARGE {
+            return match self.attempt(rule, piece, make) {
+                Ok(node) => Some(node),
+                Err(failure) => {
+                    let node = inside(self, piece);
+                    self.report_unless(before, failure, piece);
+                    node
+                }
+            };
+        }
         let node = inside(self, piece);
+        if node.is_some() && self.tree.diagnostics.len() == before && !self.layout.has_fault(piece) {
+            return node;
+        }
+        let findings = self.tree.diagnostics.split_off(before);
+        match self.attempt(rule, piece, make) {
+            Ok(node) => Some(node),
+            Err(failure) => {
+                self.tree.diagnostics.extend(findings);
+                self.report_unless(before, failure, piece);
+                node
+            }
+        }
+    }
+
+    /// Reports a failure unless something inside the piece was reported already.
+    fn report_unless(&mut self, before: usize, failure: Failure, piece: &Piece) {
         if self.tree.diagnostics.len() == before {
             self.report(failure, piece);
         }
-        node
     }
 
     /// Parses a piece that has no members of its own.
@@ -206,13 +231,12 @@ impl<'a> Recovery<'a> {
             if piece.is_empty() {
                 continue;
             }
-            match sides.last_mut() {
-                Some(side) => side.rules.extend(self.event_rule(&piece)),
-                None => {
-                    let expected = "`contributor` or `detractor`";
-                    let diagnostic = message::expected(self.layout, self.tree.file, piece.start, expected);
-                    self.tree.diagnostics.push(diagnostic);
-                }
+            if let Some(side) = sides.last_mut() {
+                side.rules.extend(self.event_rule(&piece));
+            } else {
+                let expected = "`contributor` or `detractor`";
+                let diagnostic = message::expected(self.layout, self.tree.file, piece.start, expected);
+                self.tree.diagnostics.push(diagnostic);
             }
         }
         sides

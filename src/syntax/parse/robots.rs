@@ -51,7 +51,7 @@ impl Tree<'_> {
         }
     }
 
-    fn body(&self, pair: Pair<'_>) -> Option<Body> {
+    fn body(&mut self, pair: Pair<'_>) -> Option<Body> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let kind = self.next_name(&mut parts)?;
@@ -59,7 +59,7 @@ impl Tree<'_> {
         Some(Body { kind, parameters: parameters.collect::<Option<_>>()?, span })
     }
 
-    fn body_parameter(&self, pair: Pair<'_>) -> Option<BodyParameter> {
+    fn body_parameter(&mut self, pair: Pair<'_>) -> Option<BodyParameter> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let name = self.next_name(&mut parts)?;
@@ -71,7 +71,7 @@ impl Tree<'_> {
         Some(BodyParameter { name, values, span })
     }
 
-    fn sensor(&self, pair: Pair<'_>) -> Option<Sensor> {
+    fn sensor(&mut self, pair: Pair<'_>) -> Option<Sensor> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let optional = parts.take(Rule::optional).is_some();
@@ -92,7 +92,7 @@ impl Tree<'_> {
         Some(Sensor { doc: self.doc(span), optional, name, count, kind, clauses, span })
     }
 
-    fn sensor_clause(&self, pair: Pair<'_>) -> Option<SensorClause> {
+    fn sensor_clause(&mut self, pair: Pair<'_>) -> Option<SensorClause> {
         let clause = Parts::of(pair).next()?;
         match clause.as_rule() {
             Rule::fails_clause => self.fail_readings(clause).map(SensorClause::Fails),
@@ -126,7 +126,7 @@ impl Tree<'_> {
         Some(Action { doc: self.doc(span), optional, name, parameters, done, implementation, span })
     }
 
-    fn action_parameter(&self, pair: Pair<'_>) -> Option<ActionParameter> {
+    fn action_parameter(&mut self, pair: Pair<'_>) -> Option<ActionParameter> {
         let mut parts = Parts::of(pair);
         Some(ActionParameter { name: self.next_name(&mut parts)?, unit: self.unit(parts.take(Rule::unit)?)? })
     }

@@ -61,7 +61,7 @@ impl Scan {
                     at += 1;
                     (line_start, first) = (at, true);
                 }
-                b' ' | b'\t' => at += 1,
+                b' ' | b'\t' | 0x0b | 0x0c => at += 1,
                 _ if rest.starts_with(b"//") => {
                     let length = count(rest, |byte| byte != b'\n' && byte != b'\r');
                     if rest.starts_with(b"///") && !rest.starts_with(b"////") {
@@ -105,12 +105,7 @@ fn token(rest: &[u8]) -> (Kind, usize) {
             let long = MARKS.iter().any(|mark| rest.starts_with(mark));
             (Kind::Mark, if long { 2 } else { 1 })
         }
-        _ => (
-            Kind::Foreign,
-            count(rest, |byte| {
-                !byte.is_ascii() || byte.is_ascii_control() && byte != b'\n' && byte != b'\r' && byte != b'\t'
-            }),
-        ),
+        _ => (Kind::Foreign, count(rest, is_foreign)),
     }
 }
 
@@ -126,6 +121,10 @@ fn number(rest: &[u8]) -> usize {
         length += if power > 0 { 1 + sign + power } else { 0 };
     }
     length
+}
+
+fn is_foreign(byte: u8) -> bool {
+    !byte.is_ascii() || byte.is_ascii_control() && !matches!(byte, b'\t'..=b'\r')
 }
 
 fn is_letter(byte: u8) -> bool {

@@ -5,6 +5,7 @@
 
 use super::grammar::{Pair, Parts, Rule, end};
 use super::scan::Scan;
+use super::{KEYWORDS, message};
 use crate::base::{FileId, Span};
 use crate::diag::{Diagnostic, rules};
 use crate::syntax::ast;
@@ -35,6 +36,12 @@ impl Tree<'_> {
         self.place(pair.as_span().start() + self.base, end(pair) + self.base)
     }
 
+    /// As [`Self::span`], for a node without parts.
+    fn token_span(&self, pair: &Pair<'_>) -> Span {
+        let span = pair.as_span();
+        self.place(span.start() + self.base, span.end() + self.base)
+    }
+
     pub fn place(&self, start: usize, end: usize) -> Span {
         Span::new(self.file, start as u32, end as u32)
     }
@@ -51,34 +58,51 @@ impl Tree<'_> {
         Some(ast::Doc { lines: lines.iter().map(strip).collect(), span })
     }
 
-    pub fn name(&self, pair: &Pair<'_>) -> ast::Name {
-        ast::Name { text: pair.as_str().to_owned(), span: self.span(pair) }
+    /// A word where any will do.
+    pub fn word(&self, pair: &Pair<'_>) -> ast::Name {
+        ast::Name { text: pair.as_str().to_owned(), span: self.token_span(pair) }
     }
 
-    pub fn next_name(&self, parts: &mut Parts<'_>) -> Option<ast::Name> {
+    /// A word that must not be a keyword.
+    pub fn name(&mut self, pair: &Pair<'_>) -> ast::Name {
+        let name = self.word(pair);
+        if KEYWORDS.binary_search(&pair.as_str()).is_ok() {
+            self.diagnostics.push(message::keyword_as_name(name.span, pair.as_str()));
+        }
+        name
+    }
+
+    pub fn next_name(&mut self, parts: &mut Parts<'_>) -> Option<ast::Name> {
         parts.take(Rule::name).map(|pair| self.name(&pair))
     }
 
     /// The name in a clause like `on j5` or `else stop`.
-    pub fn clause_name(&self, clause: Pair<'_>) -> Option<ast::Name> {
+    pub fn clause_name(&mut self, clause: Pair<'_>) -> Option<ast::Name> {
         self.next_name(&mut Parts::of(clause))
     }
 
-    pub fn names(&self, pair: Pair<'_>) -> Vec<ast::Name> {
+    pub fn names(&mut self, pair: Pair<'_>) -> Vec<ast::Name> {
         Parts::of(pair).take_all(Rule::name).map(|pair| self.name(&pair)).collect()
     }
 
-    pub fn path(&self, pair: Pair<'_>) -> ast::Path {
+    /// In front of a dot no word is reserved, and `goal` and `robot` may be read like sensors.
+    pub fn path(&mut self, pair: Pair<'_>) -> ast::Path {
         let span = self.span(&pair);
-        let words = pair.into_inner().filter(|part| part.as_rule() != Rule::dot);
-        ast::Path { segments: words.map(|word| self.name(&word)).collect(), span }
+        let words = pair.clone().into_inner().filter(|part| part.as_rule() != Rule::dot);
+        let segments = words.map(|word| self.word(&word)).collect::<Vec<_>>();
+        if let ([only], Some(word)) = (&*segments, pair.into_inner().next())
+            && !matches!(&*only.text, "goal" | "robot")
+        {
+            self.name(&word);
+        }
+        ast::Path { segments, span }
     }
 
     pub fn number(&self, pair: &Pair<'_>) -> ast::Number {
-        ast::Number { text: pair.as_str().to_owned(), span: self.span(pair) }
+        ast::Number { text: pair.as_str().to_owned(), span: self.token_span(pair) }
     }
 
-    pub fn unit(&self, pair: Pair<'_>) -> Option<ast::Unit> {
+    pub fn unit(&mut self, pair: Pair<'_>) -> Option<ast::Unit> {
         let span = self.span(&pair);
         let mut factors = Vec::new();
         let mut sign = 1;
@@ -92,15 +116,15 @@ impl Tree<'_> {
         Some(ast::Unit { factors, span })
     }
 
-    fn unit_factor(&self, pair: Pair<'_>, sign: i32) -> Option<ast::UnitFactor> {
+    fn unit_factor(&mut self, pair: Pair<'_>, sign: i32) -> Option<ast::UnitFactor> {
         let mut parts = Parts::of(pair);
-        let name = self.name(&parts.next()?);
+        let name = self.word(&parts.next()?);
         // A power past `i32` is past every dimension too, which is where it is reported.
         let power = parts.take(Rule::unit_power).map_or(1, |power| power.as_str().parse().unwrap_or(i32::MAX));
         Some(ast::UnitFactor { name, power: sign * power })
     }
 
-    pub fn quantity(&self, pair: Pair<'_>) -> Option<ast::Quantity> {
+    pub fn quantity(&mut self, pair: Pair<'_>) -> Option<ast::Quantity> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let number = self.number(&parts.take(Rule::number)?);
@@ -111,46 +135,48 @@ impl Tree<'_> {
         Some(ast::Quantity { number, unit, span })
     }
 
-    pub fn next_quantity(&self, parts: &mut Parts<'_>) -> Option<ast::Quantity> {
+    pub fn next_quantity(&mut self, parts: &mut Parts<'_>) -> Option<ast::Quantity> {
         self.quantity(parts.take(Rule::quantity)?)
     }
 
     /// The quantity in a clause like `noise 0.05` or `hold 200 ms`.
-    pub fn clause_quantity(&self, clause: Pair<'_>) -> Option<ast::Quantity> {
+    pub fn clause_quantity(&mut self, clause: Pair<'_>) -> Option<ast::Quantity> {
         self.next_quantity(&mut Parts::of(clause))
     }
 
     /// The quantity in a clause that may be left out.
-    pub fn optional_quantity(&self, parts: &mut Parts<'_>, clause: Rule) -> Option<Option<ast::Quantity>> {
+    #[expect(clippy::option_option, reason = "a clause may be left out, and a tree may be broken")]
+    pub fn optional_quantity(&mut self, parts: &mut Parts<'_>, clause: Rule) -> Option<Option<ast::Quantity>> {
         parts.take(clause).map_or(Some(None), |clause| self.clause_quantity(clause).map(Some))
     }
 
-    pub fn quantities(&self, pair: Pair<'_>) -> Option<Vec<ast::Quantity>> {
+    pub fn quantities(&mut self, pair: Pair<'_>) -> Option<Vec<ast::Quantity>> {
         Parts::of(pair).take_all(Rule::quantity).map(|pair| self.quantity(pair)).collect()
     }
 
-    pub fn pair_of_quantities(&self, pair: Pair<'_>) -> Option<(ast::Quantity, ast::Quantity)> {
+    pub fn pair_of_quantities(&mut self, pair: Pair<'_>) -> Option<(ast::Quantity, ast::Quantity)> {
         let mut parts = Parts::of(pair);
         Some((self.next_quantity(&mut parts)?, self.next_quantity(&mut parts)?))
     }
 
-    pub fn range(&self, pair: Pair<'_>) -> Option<ast::Range> {
+    pub fn range(&mut self, pair: Pair<'_>) -> Option<ast::Range> {
         let span = self.span(&pair);
         let (low, high) = self.pair_of_quantities(pair)?;
         Some(ast::Range { low, high, span })
     }
 
     /// The range in a clause that may be left out, `in -4 .. 4` or `within 4 s .. 6 s`.
-    pub fn optional_range(&self, parts: &mut Parts<'_>, clause: Rule) -> Option<Option<ast::Range>> {
+    #[expect(clippy::option_option, reason = "a clause may be left out, and a tree may be broken")]
+    pub fn optional_range(&mut self, parts: &mut Parts<'_>, clause: Rule) -> Option<Option<ast::Range>> {
         let Some(clause) = parts.take(clause) else { return Some(None) };
         self.range(Parts::of(clause).take(Rule::range)?).map(Some)
     }
 
-    pub fn fail_readings(&self, clause: Pair<'_>) -> Option<Vec<ast::FailReading>> {
+    pub fn fail_readings(&mut self, clause: Pair<'_>) -> Option<Vec<ast::FailReading>> {
         Parts::of(clause).take_all(Rule::fail_reading).map(|reading| self.fail_reading(reading)).collect()
     }
 
-    pub fn fail_reading(&self, pair: Pair<'_>) -> Option<ast::FailReading> {
+    pub fn fail_reading(&mut self, pair: Pair<'_>) -> Option<ast::FailReading> {
         let span = self.span(&pair);
         let reading = match pair.as_str() {
             "any" => ast::FailReading::Any(span),
@@ -162,13 +188,13 @@ impl Tree<'_> {
         Some(reading)
     }
 
-    pub fn row(&self, pair: Pair<'_>) -> Option<ast::Row> {
+    pub fn row(&mut self, pair: Pair<'_>) -> Option<ast::Row> {
         let span = self.span(&pair);
         let cells = Parts::of(pair).take_all(Rule::cell).map(|cell| self.cell(cell)).collect::<Option<_>>()?;
         Some(ast::Row { cells, span })
     }
 
-    fn cell(&self, pair: Pair<'_>) -> Option<ast::Cell> {
+    fn cell(&mut self, pair: Pair<'_>) -> Option<ast::Cell> {
         let span = self.span(&pair);
         let part = pair.into_inner().next()?;
         let kind = match part.as_rule() {

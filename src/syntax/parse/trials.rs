@@ -43,13 +43,13 @@ impl Tree<'_> {
         }
     }
 
-    fn point(&self, pair: Pair<'_>) -> Option<Point> {
+    fn point(&mut self, pair: Pair<'_>) -> Option<Point> {
         let span = self.span(&pair);
         let (x, y) = self.pair_of_quantities(pair)?;
         Some(Point { x, y, span })
     }
 
-    fn box_item(&self, pair: Pair<'_>) -> Option<BoxItem> {
+    fn box_item(&mut self, pair: Pair<'_>) -> Option<BoxItem> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let name = match parts.take(Rule::box_name) {
@@ -61,7 +61,7 @@ impl Tree<'_> {
         Some(BoxItem { name, mass, size, place: self.place_at(parts.take(Rule::place_at)?)?, span })
     }
 
-    fn place_at(&self, pair: Pair<'_>) -> Option<PlaceAt> {
+    fn place_at(&mut self, pair: Pair<'_>) -> Option<PlaceAt> {
         let mut parts = Parts::of(pair);
         match parts.take(Rule::point) {
             Some(point) => {
@@ -94,7 +94,8 @@ impl Tree<'_> {
                 Rule::in_clause => (&mut within, "in"),
                 _ => (&mut extends, "extends"),
             };
-            self.once(slot, self.clause_name(clause)?, place, word);
+            let name = self.clause_name(clause)?;
+            self.once(slot, name, place, word);
         }
         Some(Scenario { doc: self.doc(span), name, runs, on, within, extends, items: Vec::new(), span })
     }
@@ -122,7 +123,7 @@ impl Tree<'_> {
         }
     }
 
-    fn placement(&self, pair: Pair<'_>) -> Option<ScenarioItem> {
+    fn placement(&mut self, pair: Pair<'_>) -> Option<ScenarioItem> {
         let span = self.span(&pair);
         let placed = Parts::of(pair).next()?;
         if placed.as_rule() == Rule::box_item {
@@ -146,7 +147,7 @@ impl Tree<'_> {
         Some(SensorRef { path, indices })
     }
 
-    fn fault_window(&self, parts: &mut Parts<'_>) -> Option<FaultWindow> {
+    fn fault_window(&mut self, parts: &mut Parts<'_>) -> Option<FaultWindow> {
         let from = self.optional_quantity(parts, Rule::from)?;
         Some(FaultWindow { from, to: self.optional_quantity(parts, Rule::to)? })
     }
@@ -179,7 +180,7 @@ impl Tree<'_> {
         Some(Expect { kind, span })
     }
 
-    fn expect_window(&self, parts: &mut Parts<'_>) -> Option<ExpectWindow> {
+    fn expect_window(&mut self, parts: &mut Parts<'_>) -> Option<ExpectWindow> {
         let Some(window) = parts.next() else { return Some(ExpectWindow::Whole) };
         match window.as_rule() {
             Rule::before => self.clause_quantity(window).map(ExpectWindow::Before),
