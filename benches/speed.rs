@@ -87,9 +87,7 @@ fn tick_of_obstacle_manipulation(bencher: Bencher) {
     let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
     let mut machine = Machine::new(&plan, 1);
     let readings = [0.0, 0.1, 0.0].map(|value| Reading { value, healthy: true });
-    bencher.bench_local(|| {
-        machine.step(Inputs { readings: black_box(&readings), done: false }, 10_000_000, &mut Deaf)
-    });
+    bencher.bench_local(|| machine.step(Inputs { readings: black_box(&readings), done: false }, 10_000_000, &mut Deaf));
 }
 
 /// Ten seconds at 10 ms a tick, with noise, contact, trace and expectations: a tenth of it is a simulated second.

@@ -147,3 +147,11 @@ fn what_must_not_meet_does_not() {
     }
     assert!(rooms["kernel"].imports.is_empty() && rooms["kernel"].crates.is_empty(), "`kernel` knows nothing at all");
 }
+
+#[test]
+fn the_architecture_page_names_every_room() {
+    let page = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    let named: BTreeSet<String> = rows.map(str::to_owned).collect();
+    assert_eq!(named, rooms().into_keys().collect::<BTreeSet<_>>());
+}

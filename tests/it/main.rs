@@ -4,5 +4,6 @@
 
 mod architecture;
 mod examples;
+mod sessions;
 mod support;
 mod tick;
