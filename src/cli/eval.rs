@@ -12,6 +12,10 @@ use crate::report::{self, Evaluated};
 
 /// Evaluate a network on given readings.
 #[derive(Args)]
+#[command(after_help = "\
+Examples:
+  lmslc eval stdlib/networks/obstacle_id.fsfn obstacle_id left=-1.2 right=-1 force=115
+  lmslc eval stdlib/networks/obstacle_id.fsfn obstacle_id --csv readings.csv > events.csv")]
 pub(super) struct Eval {
     /// The file that holds the network, or `-` for standard input
     file: String,

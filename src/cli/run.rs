@@ -13,6 +13,11 @@ use crate::{plan, report, view};
 
 /// Run a scenario in the simulator and print its timeline of modes.
 #[derive(Args)]
+#[command(after_help = "\
+Examples:
+  lmslc run examples/j5/manipulation.msd --plot run.svg
+  lmslc run examples/j5/manipulation.msd --fault contact_force=0N@6s --seed 3
+  lmslc run examples/j5/preliminary.msd empty_floor --trace run.csv")]
 pub(super) struct Run {
     /// The file that holds the scenario, or `-` for standard input
     file: String,

@@ -11,6 +11,10 @@ use crate::{plan, report};
 
 /// Run every scenario and report each expectation.
 #[derive(Args)]
+#[command(after_help = "\
+Examples:
+  lmslc test examples
+  lmslc test examples --filter mass --format json")]
 pub(super) struct Test {
     /// Files, folders, or `-` for standard input
     #[arg(required = true)]

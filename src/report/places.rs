@@ -37,9 +37,10 @@ impl<'a> Places<'a> {
     }
 
     /// The part of a span that can be shown: inside its file, between characters, and not reaching over the end of
-    /// its last line into the next. `None` for a file of another compilation.
+    /// its last line into the next. `None` where there is nothing to show: in a file without text, or of another
+    /// compilation.
     pub(super) fn shown(&self, span: Span) -> Option<Range<usize>> {
-        let (source, _) = self.file(span.file)?;
+        let (source, _) = self.file(span.file).filter(|(source, _)| !source.text.is_empty())?;
         let start = boundary(&source.text, span.start as usize);
         let end = boundary(&source.text, span.end as usize).max(start);
         let text = source.text.get(start..end).unwrap_or("");
