@@ -1,80 +1,36 @@
-//! Where declarations, blocks and their members begin and end, also around missing and extra braces.
+//! Tokens with their braces paired, also around missing and extra ones.
 
 use std::ops::Range;
 
+use super::pieces::{Block, DECLARATIONS};
 use super::scan::{Kind, Scan, Token};
-use crate::diag::nearest;
-
-/// The words that begin a declaration at the top level.
-pub const DECLARATIONS: &[&str] = &[
-    "import",
-    "variable",
-    "network",
-    "interface",
-    "robot",
-    "behavior",
-    "activity",
-    "goal",
-    "arbiter",
-    "team",
-    "world",
-    "scenario",
-    "property",
-];
-
-/// The kinds of block that hold members.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Block {
-    Terms,
-    Network,
-    Event,
-    Robot,
-    Diagram,
-    Mode,
-    Commands,
-    Decide,
-    Arbiter,
-    Team,
-    World,
-    Scenario,
-}
-
-impl Block {
-    /// The words that begin a member.
-    pub fn keywords(self) -> &'static [&'static str] {
-        match self {
-            Self::Terms | Self::Commands | Self::Decide => &[],
-            Self::Network => &["event", "output", "rule"],
-            Self::Event => &["contributor", "detractor", "rule"],
-            Self::Robot => &["body", "sensor", "logical", "action", "optional"],
-            Self::Diagram => &["sense", "entry", "flag", "mode", "final"],
-            Self::Mode => &["decide", "on"],
-            Self::Arbiter => &["emergency", "client", "ties"],
-            Self::Team => &["robot"],
-            Self::World => &["wall", "door", "box", "goal"],
-            Self::Scenario => &["duration", "tick", "seed", "place", "fault", "fail", "expect"],
-        }
-    }
-}
 
 /// A brace without its other half.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BraceFault {
     /// An opening brace, and the token in front of which it should have been closed.
     Unclosed { open: usize, before: usize },
-    /// A closing brace that closes nothing; `expected` where the declaration before it has no opening brace, which
-    /// is reported there.
-    Extra { close: usize, expected: bool },
+    /// A closing brace that closes nothing, or an opening one that opens nothing; `expected` where the declaration
+    /// before it has no opening brace, which is reported there.
+    Extra { brace: usize, expected: bool },
 }
 
 /// Tokens with their braces paired.
 pub struct Layout<'a> {
     pub text: &'a str,
     pub tokens: &'a [Token],
-    /// For every opening brace the token that closes it, or the one in front of which it should have been closed.
+    /// For every opening brace the token that closes it, or the one in front of which it should have been closed;
+    /// the same for the keyword of a block whose opening brace is missing; 0 for any other token.
     closes: Vec<u32>,
+    /// Braces without their other half, in the order of the text.
     pub faults: Vec<BraceFault>,
+    /// The tokens in front of which blocks were cut off, in order.
+    cuts: Vec<usize>,
 }
+
+/// The blocks of declarations.
+const HOLDERS: [Block; 7] =
+    [Block::Network, Block::Robot, Block::Diagram, Block::Arbiter, Block::Team, Block::World, Block::Scenario];
 
 /// What an opening brace belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -89,7 +45,7 @@ impl<'a> Layout<'a> {
     /// Linear in the tokens.
     pub fn new(text: &'a str, scan: &'a Scan) -> Self {
         let closes = vec![0; scan.tokens.len()];
-        let mut layout = Self { text, tokens: &scan.tokens, closes, faults: Vec::new() };
+        let mut layout = Self { text, tokens: &scan.tokens, closes, faults: Vec::new(), cuts: Vec::new() };
         layout.pair_braces();
         layout
     }
@@ -107,11 +63,11 @@ impl<'a> Layout<'a> {
         if self.kind(index) == Some(Kind::Word) { self.token_text(index) } else { "" }
     }
 
-    fn is_first(&self, index: usize) -> bool {
+    pub fn is_first(&self, index: usize) -> bool {
         self.tokens.get(index).is_some_and(|token| token.first)
     }
 
-    fn is_flush(&self, index: usize) -> bool {
+    pub fn is_flush(&self, index: usize) -> bool {
         self.tokens.get(index).is_some_and(|token| token.flush)
     }
 
@@ -134,48 +90,72 @@ impl<'a> Layout<'a> {
 
     /// Whether a block was cut off in front of that token.
     pub fn is_cut(&self, index: usize) -> bool {
-        self.faults.iter().any(|fault| matches!(fault, BraceFault::Unclosed { before, .. } if *before == index))
+        self.cuts.binary_search(&index).is_ok()
     }
 
-    fn is_extra(&self, index: usize) -> bool {
+    pub fn is_extra(&self, index: usize) -> bool {
         let from = self.faults.partition_point(|fault| fault.token() < index);
-        self.faults.get(from).is_some_and(|fault| matches!(fault, BraceFault::Extra { close, .. } if *close == index))
+        self.faults.get(from).is_some_and(|fault| matches!(fault, BraceFault::Extra { brace, .. } if *brace == index))
     }
 
     fn pair_braces(&mut self) {
         let mut stack: Vec<(usize, Opener)> = Vec::new();
-        let mut opener = Opener::Other;
-        let mut expects_block = false;
+        // The keyword whose block has not been opened yet.
+        let mut header: Option<(usize, Opener)> = None;
+        let mut set_close = None;
         for index in 0..self.tokens.len() {
             match self.kind(index) {
-                Some(Kind::Word) => {
+                Some(Kind::Word | Kind::Number) => {
                     let cut = self.cut_by(index, &stack);
                     self.close_down_to(cut, &mut stack, index);
-                    opener = self.opener(index, stack.is_empty()).unwrap_or(opener);
-                    if stack.is_empty() && self.starts_declaration(index) {
-                        expects_block = !matches!(self.word(index), "import" | "property");
-                    }
+                    stack.extend(header.take_if(|&mut (_, opener)| self.lacks_brace(index, opener)));
+                    let opener = self.opener(index, stack.is_empty());
+                    header = opener.map(|opener| (index, opener)).or(header);
+                }
+                Some(Kind::OpenBrace) if self.opens_set(index) => {
+                    set_close = self.set_end(index);
+                    self.set_close(index, set_close.unwrap_or(0));
+                }
+                Some(Kind::OpenBrace) if self.kind(index.wrapping_sub(1)) == Some(Kind::OpenBrace) => {
+                    self.faults.push(BraceFault::Extra { brace: index, expected: false });
                 }
                 Some(Kind::OpenBrace) => {
-                    stack.push((index, opener));
-                    opener = Opener::Other;
-                    expects_block = false;
+                    stack.push((index, header.take().map_or(Opener::Other, |(_, opener)| opener)));
                 }
+                // Half a set is reported with the line it stands in.
+                Some(Kind::CloseBrace) if set_close == Some(index) || self.closes_set(index) => {}
                 Some(Kind::CloseBrace) => {
                     match stack.last() {
                         Some(&(open, of)) if !self.is_too_early(index, of, stack.len()) => {
                             stack.pop();
                             self.set_close(open, index);
                         }
-                        _ => self.faults.push(BraceFault::Extra { close: index, expected: expects_block }),
+                        _ => self.faults.push(BraceFault::Extra { brace: index, expected: header.is_some() }),
                     }
-                    opener = Opener::Other;
+                    header = None;
                 }
                 _ => {}
             }
         }
         self.close_down_to(0, &mut stack, self.tokens.len());
         self.faults.sort_by_key(BraceFault::token);
+    }
+
+    /// Whether this token stands inside the block of a keyword that has not been opened: its brace is missing.
+    fn lacks_brace(&self, index: usize, opener: Opener) -> bool {
+        let (word, next) = (self.word(index), self.token_text(index + 1));
+        match opener {
+            Opener::Declaration => {
+                let is_member = HOLDERS.iter().any(|block| block.keywords().contains(&word)) || next == "=";
+                self.is_first(index) && is_member && !self.starts_declaration(index)
+            }
+            Opener::Mode => match self.kind(index) {
+                Some(Kind::Number) => next == ":",
+                _ => next == "(" || matches!(word, "on" | "decide"),
+            },
+            Opener::Member => matches!(word, "contributor" | "detractor") || self.is_first(index) && next == "=",
+            Opener::Other => false,
+        }
     }
 
     /// How many blocks stay open in front of a word that cannot stand in them.
@@ -200,8 +180,10 @@ impl<'a> Layout<'a> {
 
     fn close_down_to(&mut self, depth: usize, stack: &mut Vec<(usize, Opener)>, before: usize) {
         // One missing brace leaves every block around it open: only the innermost is worth a message.
-        if let Some(&(open, _)) = stack.get(depth..).and_then(<[_]>::last) {
+        let open = stack.get(depth..).unwrap_or_default().iter().map(|&(open, _)| open);
+        if let Some(open) = open.rev().find(|&open| self.kind(open) == Some(Kind::OpenBrace)) {
             self.faults.push(BraceFault::Unclosed { open, before });
+            self.cuts.push(before);
         }
         for (open, _) in stack.drain(depth.min(stack.len())..) {
             if let Some(close) = self.closes.get_mut(open) {
@@ -216,10 +198,15 @@ impl<'a> Layout<'a> {
         }
     }
 
+    /// Whether this is the keyword of a block whose opening brace is missing.
+    pub fn lost_brace(&self, index: usize) -> bool {
+        self.kind(index) == Some(Kind::Word) && self.closes.get(index).is_some_and(|&close| close != 0)
+    }
+
     /// What a block that opens behind this word belongs to, if the word says.
     fn opener(&self, index: usize, outside: bool) -> Option<Opener> {
         if outside && self.starts_declaration(index) {
-            return Some(Opener::Declaration);
+            return Some(Opener::Declaration).filter(|_| !matches!(self.word(index), "import" | "property"));
         }
         let next_is_word = self.kind(index + 1) == Some(Kind::Word);
         match self.word(index) {
@@ -234,8 +221,7 @@ impl<'a> Layout<'a> {
         let next = close + 1;
         match of {
             Opener::Declaration if depth == 1 => {
-                let words = [Block::Diagram, Block::Network, Block::Robot, Block::Arbiter, Block::Scenario];
-                let is_member = words.iter().any(|block| block.keywords().contains(&self.word(next)));
+                let is_member = HOLDERS.iter().any(|block| block.keywords().contains(&self.word(next)));
                 is_member && self.is_first(next) && !self.is_flush(next)
             }
             Opener::Mode => self.kind(next) == Some(Kind::Number) && self.token_text(next + 1) == ":",
@@ -243,139 +229,30 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn starts_declaration(&self, index: usize) -> bool {
+    /// Whether a brace opens a set of terms: in a row, or behind `any of`.
+    pub fn opens_set(&self, open: usize) -> bool {
+        let before = open.checked_sub(1).map_or("", |before| self.token_text(before));
+        matches!(before, "(" | "," | "of") || self.set_end(open).is_some_and(|close| self.closes_set(close))
+    }
+
+    /// The brace that closes a set of terms.
+    fn set_end(&self, open: usize) -> Option<usize> {
+        let mut at = open + 1;
+        while self.token_text(at) == "," || self.kind(at) == Some(Kind::Word) && !is_operator(self.word(at)) {
+            at += 1;
+        }
+        (self.kind(at) == Some(Kind::CloseBrace)).then_some(at)
+    }
+
+    /// Whether something follows a closing brace that cannot follow a block.
+    fn closes_set(&self, close: usize) -> bool {
+        matches!(self.token_text(close + 1), ")" | "," | "->" | "=>" | "and" | "or")
+    }
+
+    pub fn starts_declaration(&self, index: usize) -> bool {
         DECLARATIONS.contains(&self.word(index))
             && !matches!(self.kind(index + 1), Some(Kind::Open | Kind::Mark | Kind::Number))
             && self.token_text(index + 2) != "="
-    }
-
-    /// The pieces of the file: one for each declaration, and for text between them.
-    pub fn declarations(&self) -> Vec<Range<usize>> {
-        let mut pieces = Vec::new();
-        let mut at = 0;
-        while at < self.tokens.len() {
-            let end = self.declaration_end(at).max(at + 1);
-            if !(end == at + 1 && self.is_extra(at)) {
-                pieces.push(at..end);
-            }
-            at = end;
-        }
-        pieces
-    }
-
-    fn declaration_end(&self, start: usize) -> usize {
-        let known = DECLARATIONS.contains(&self.word(start));
-        let one_line = matches!(self.word(start), "import" | "property");
-        let is_near = known || nearest(self.word(start), DECLARATIONS.iter().copied()).is_some();
-        let mut at = start + 1;
-        if self.kind(start) == Some(Kind::OpenBrace) {
-            at = self.behind_block(start);
-        }
-        while let Some(kind) = self.kind(at) {
-            let begins = self.is_first(at) || self.word(start) == "import" && at > start + 1;
-            if begins && self.starts_declaration(at) || self.is_extra(at) {
-                return at;
-            }
-            if one_line && self.is_flush(at) && kind == Kind::Word && !is_operator(self.word(at)) {
-                return at;
-            }
-            if kind == Kind::OpenBrace {
-                let is_settings = self.word(at.wrapping_sub(1)) == "using" || self.word(at.wrapping_sub(1)) == "of";
-                at = self.behind_block(at);
-                if is_near && !is_settings {
-                    return at;
-                }
-            } else {
-                at += 1;
-            }
-        }
-        at
-    }
-
-    /// The opening brace of a declaration's or member's own block.
-    pub fn block_of(&self, piece: &Range<usize>) -> Option<usize> {
-        let mut at = piece.start;
-        while at < piece.end {
-            if self.kind(at) != Some(Kind::OpenBrace) {
-                at += 1;
-            } else if matches!(self.word(at.wrapping_sub(1)), "using" | "of") {
-                at = self.behind_block(at);
-            } else {
-                return Some(at);
-            }
-        }
-        None
-    }
-
-    /// The pieces of a block, one for each member as far as can be told.
-    pub fn members(&self, block: Block, open: usize) -> Vec<Range<usize>> {
-        let end = self.close_of(open);
-        let mut pieces = Vec::new();
-        let (mut at, mut start, mut depth, mut after_block) = (open + 1, open + 1, 0_u32, false);
-        while at < end {
-            let extra = self.is_extra(at);
-            let separate = (depth == 0 || self.is_first(at)) && self.starts_member(block, at, open);
-            if extra || separate || after_block && !is_operator(self.token_text(at)) {
-                if start < at {
-                    pieces.push(start..at);
-                }
-                start = if extra { at + 1 } else { at };
-                depth = 0;
-            }
-            after_block = false;
-            match self.kind(at) {
-                Some(Kind::Open) => depth += 1,
-                Some(Kind::Close) => depth = depth.saturating_sub(1),
-                Some(Kind::OpenBrace) => {
-                    let is_set = depth > 0 || self.word(at - 1) == "of";
-                    at = self.behind_block(at).min(end);
-                    after_block = !is_set;
-                    continue;
-                }
-                _ => {}
-            }
-            at += 1;
-        }
-        if start < end {
-            pieces.push(start..end);
-        }
-        pieces
-    }
-
-    fn starts_member(&self, block: Block, at: usize, open: usize) -> bool {
-        let (word, next) = (self.word(at), self.token_text(at + 1));
-        let before = self.token_text(at - 1);
-        let fresh = self.is_first(at) && (at == open + 1 || !is_operator(before)) && !is_operator(word);
-        let is_keyword = block.keywords().contains(&word);
-        let begins = match block {
-            Block::Terms => self.kind(at) == Some(Kind::Word) && (next == "=" || fresh),
-            Block::Network | Block::Arbiter => is_keyword,
-            Block::Diagram => is_keyword && before != "final",
-            Block::Robot if word == "body" => self.kind(at + 1) == Some(Kind::Word) && before != "=",
-            Block::Robot => is_keyword && before != "optional",
-            Block::Event => is_keyword || self.starts_row(at, fresh),
-            Block::Decide => self.starts_row(at, fresh),
-            Block::Mode if self.kind(at) == Some(Kind::Number) => next == ":" || fresh,
-            Block::Mode => is_keyword || fresh && self.kind(at) == Some(Kind::Word) || self.starts_call(at, fresh),
-            Block::Commands => self.starts_call(at, fresh),
-            Block::Team => word == "robot" || fresh && matches!(next, "." | "="),
-            Block::World => is_keyword && (fresh || matches!(before, ")" | "open")),
-            Block::Scenario => match word {
-                "duration" | "tick" | "seed" => fresh || self.kind(at + 1) == Some(Kind::Number),
-                _ => is_keyword,
-            },
-        };
-        let is_near = || nearest(word, block.keywords().iter().copied()).is_some();
-        begins || fresh && self.kind(at + 1) == Some(Kind::Word) && is_near()
-    }
-
-    fn starts_row(&self, at: usize, fresh: bool) -> bool {
-        self.kind(at) == Some(Kind::Open) && (fresh || matches!(self.token_text(at - 1), ")" | "nothing"))
-    }
-
-    fn starts_call(&self, at: usize, fresh: bool) -> bool {
-        let is_fresh = fresh || matches!(self.token_text(at - 1), ")" | "{");
-        is_fresh && self.kind(at) == Some(Kind::Word) && matches!(self.token_text(at + 1), "(" | ".")
     }
 }
 
@@ -384,13 +261,13 @@ impl BraceFault {
     pub fn token(&self) -> usize {
         match self {
             Self::Unclosed { open, .. } => *open,
-            Self::Extra { close, .. } => *close,
+            Self::Extra { brace, .. } => *brace,
         }
     }
 }
 
 /// Whether an expression or a list goes on after this token, so that a line that follows it begins nothing new.
-fn is_operator(token: &str) -> bool {
+pub fn is_operator(token: &str) -> bool {
     matches!(
         token,
         "and"

@@ -7,8 +7,9 @@ use pest::error::{ErrorVariant, InputLocation};
 use super::KEYWORDS;
 use super::depth::LIMIT;
 use super::grammar::{Error, Rule};
-use super::layout::{Block, BraceFault, DECLARATIONS, Layout};
+use super::layout::{BraceFault, Layout};
 use super::phrases::phrase;
+use super::pieces::{Block, DECLARATIONS};
 use super::scan::Kind;
 use crate::base::{FileId, Span};
 use crate::diag::{Diagnostic, did_you_mean, rules};
@@ -112,7 +113,9 @@ pub fn brace_fault(layout: &Layout<'_>, file: FileId, fault: BraceFault) -> Opti
         }
         BraceFault::Extra { expected: true, .. } => None,
         BraceFault::Extra { .. } => {
-            Some(Diagnostic::new(&rules::SYNTAX_ERROR, at, "unexpected `}`").here("it closes nothing"))
+            let brace = layout.token_text(fault.token());
+            let what = if brace == "}" { "it closes nothing" } else { "it opens nothing" };
+            Some(Diagnostic::new(&rules::SYNTAX_ERROR, at, format!("unexpected `{brace}`")).here(what))
         }
     }
 }
@@ -203,6 +206,9 @@ fn help(layout: &Layout<'_>, piece: &Range<usize>, token: usize, positives: &[Ru
         "=>" if wants(Rule::arrow) => "write `->`",
         "," => "take the `,` away",
         _ if before == "," => "take the `,` away, or say what follows it",
+        _ if before == ":" && (wants(Rule::unit) || wants(Rule::unit_name)) => {
+            "name the unit; that of a plain number is written `1`"
+        }
         _ if wants(Rule::target) => "name the mode that the transition leads to",
         _ if layout.kind(piece.start) == Some(Kind::Number) && (wants(Rule::colon) || wants(Rule::arrow)) => {
             "a transition is written `1: condition -> mode`"

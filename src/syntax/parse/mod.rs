@@ -9,6 +9,7 @@ mod layout;
 mod message;
 mod modes;
 mod phrases;
+mod pieces;
 mod recovery;
 mod robots;
 mod scan;
@@ -145,10 +146,10 @@ fn wrong_kind(kind: FileKind, item: &Item) -> Option<Diagnostic> {
         return None;
     }
     let (here, there) = match kind {
-        FileKind::Fusion => ("a `.fsfn`", "a `.msd`"),
-        FileKind::Modes => ("an `.msd`", "an `.fsfn`"),
+        FileKind::Fusion => (".fsfn", ".msd"),
+        FileKind::Modes => (".msd", ".fsfn"),
     };
-    let message = format!("{what} `{}` stands in {here} file", name.text);
-    let help = format!("move it to {there} file and `import` that");
+    let message = format!("{what} `{}` stands in a `{here}` file", name.text);
+    let help = format!("move it to a `{there}` file and `import` that");
     Some(Diagnostic::new(&rules::WRONG_FILE_KIND, name.span, message).help(help))
 }

@@ -5,7 +5,8 @@ use std::ops::Range;
 
 use super::fusion::side_kind;
 use super::grammar::{self, Pair, Rule};
-use super::layout::{Block, Layout};
+use super::layout::Layout;
+use super::pieces::Block;
 use super::tree::Tree;
 use super::{depth, message};
 use crate::base::Span;
@@ -221,6 +222,7 @@ impl<'a> Recovery<'a> {
 
     fn event_sides(&mut self, open: usize) -> Vec<EventSide> {
         let mut sides: Vec<EventSide> = Vec::new();
+        let mut is_reported = false;
         for mut piece in self.layout.members(Block::Event, open) {
             let word = self.layout.word(piece.start);
             if matches!(word, "contributor" | "detractor") {
@@ -233,7 +235,7 @@ impl<'a> Recovery<'a> {
             }
             if let Some(side) = sides.last_mut() {
                 side.rules.extend(self.event_rule(&piece));
-            } else {
+            } else if !std::mem::replace(&mut is_reported, true) {
                 let expected = "`contributor` or `detractor`";
                 let diagnostic = message::expected(self.layout, self.tree.file, piece.start, expected);
                 self.tree.diagnostics.push(diagnostic);

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::grammar::{self, Rule};
-use super::layout::{Block, DECLARATIONS, Layout};
+use super::layout::Layout;
+use super::pieces::{Block, DECLARATIONS};
 use super::scan::Scan;
 use super::{KEYWORDS, parse};
 use crate::base::FileId;
