@@ -188,17 +188,24 @@ fn check_total(kind: FileKind, text: &str) {
 
 /// Prefixes of chunks instead of files: what stands in front of a declaration does not change how it parses, and
 /// the number of bytes parsed grows with the square of the length.
-#[test]
-fn every_prefix_of_every_declaration_parses_to_something() {
-    for folder in ["pass", "fail"] {
-        for (path, text) in corpus(folder) {
-            for chunk in text.split_inclusive("\n}\n") {
-                for end in (0..=chunk.len()).filter(|&end| chunk.is_char_boundary(end)) {
-                    check_total(kind_of(&path), &chunk[..end]);
-                }
+fn check_prefixes(folder: &str) {
+    for (path, text) in corpus(folder) {
+        for chunk in text.split_inclusive("\n}\n") {
+            for end in (0..=chunk.len()).filter(|&end| chunk.is_char_boundary(end)) {
+                check_total(kind_of(&path), &chunk[..end]);
             }
         }
     }
+}
+
+#[test]
+fn every_prefix_of_a_sound_declaration_parses_to_something() {
+    check_prefixes("pass");
+}
+
+#[test]
+fn every_prefix_of_a_broken_declaration_parses_to_something() {
+    check_prefixes("fail");
 }
 
 #[test]
@@ -207,7 +214,7 @@ fn damaged_files_parse_to_something() {
         ["{", "}", "(", ")", "->", "\n", ":", "mode ", "\0", "é", "1", " not ", "//", "///", "\u{feff}", ",", "-"];
     let mut random = Random(2007);
     for (path, text) in corpus("pass") {
-        for _ in 0..150 {
+        for _ in 0..60 {
             let mut damaged = text.clone();
             for _ in 0..=random.below(4) {
                 let boundaries: Vec<_> = damaged.char_indices().map(|(at, _)| at).collect();
