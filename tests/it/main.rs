@@ -6,4 +6,5 @@ mod architecture;
 mod examples;
 mod sessions;
 mod support;
+mod syntax;
 mod tick;

@@ -35,6 +35,12 @@ impl Actuators for Log {
     }
 }
 
+struct Silent;
+
+impl Actuators for Silent {
+    fn command(&mut self, _action: u32, _arguments: &[f64], _start: bool) {}
+}
+
 /// A machine that is told readings and answers with the names of its modes.
 struct Run<'p> {
     plan: &'p Plan,
@@ -337,4 +343,24 @@ fn what_a_tick_did_is_told() {
     assert_eq!(tick(0.0, true), Taken::Stayed);
     assert_eq!(tick(5.0, true), Taken::Transition(0));
     assert_eq!(tick(5.0, false), Taken::Lost { from: 1, input: 1 });
+}
+
+#[test]
+fn a_tick_allocates_nothing() {
+    let plan = build(
+        "flag high = x > 5
+         entry a
+         mode a { turn(random(-1 rad, 1 rad))  1: rising(high) and count(high) >= 1 -> b  2: after 30 ms -> again }
+         mode b requires y else a { halt()  on enter { ring(2) }  1: held(high, 20 ms) or y < 1 -> a }",
+    );
+    let mut machine = Machine::new(&plan, 1);
+    let allocated = allocation_counter::measure(|| {
+        for tick in 0..1000_u32 {
+            let reading = |value: u32| Reading { value: f64::from(value % 10), healthy: tick % 97 > 3 };
+            let readings = [reading(tick), reading(tick / 7)];
+            machine.step(Inputs { readings: &readings, done: tick % 3 == 0 }, 10 * MILLISECOND, &mut Silent);
+        }
+    });
+    assert_eq!(allocated.count_total, 0);
+    assert!(machine.dwell() > 0, "the machine has been running");
 }
