@@ -7,19 +7,25 @@ use crate::ir::{Term, Variable};
 
 pub(super) fn check(variable: &Variable, findings: &mut Vec<Diagnostic>) {
     // A broken term was reported; what it would have covered is unknown.
-    if variable.terms.is_empty() || !variable.terms.iter().all(|term| breakpoints::in_order(&term.shape)) {
+    if variable.incomplete
+        || variable.terms.is_empty()
+        || !variable.terms.iter().all(|term| breakpoints::in_order(&term.shape))
+    {
         return;
     }
     let mut covered = Vec::new();
+    let mut misplaced = false;
     for term in &variable.terms {
         let intervals = support(&term.shape, variable.range);
         if intervals.is_empty() {
             findings.push(outside(term, variable));
+            misplaced = true;
         }
         covered.extend(intervals);
     }
     let gaps = gaps(covered, variable.range);
-    if !gaps.is_empty() {
+    // A misplaced term may be what is missing there.
+    if !gaps.is_empty() && !misplaced {
         findings.push(not_covered(variable, &gaps));
     }
 }

@@ -16,7 +16,7 @@ pub(super) fn check(diagram: &Diagram, program: &Program, findings: &mut Vec<Dia
                     .label(sensor.symbol.span, "declared optional here")
                     .note("a machine must be able to start whatever has failed"),
             );
-        } else if mode.otherwise.is_none() {
+        } else if mode.otherwise.is_none() && !mode.incomplete {
             let sensor = &program.sensors[sensor].symbol.name;
             let message = format!("`{name}` has nowhere to go when `{sensor}` fails while it is active");
             findings.push(

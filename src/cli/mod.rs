@@ -24,6 +24,8 @@ const CLEAN: u8 = 0;
 const FINDINGS: u8 = 1;
 /// Wrong arguments, or files that cannot be read.
 const USAGE: u8 = 2;
+/// A fault of the compiler; a panic exits with it too.
+const INTERNAL: u8 = 101;
 
 #[derive(Parser)]
 #[command(

@@ -3,7 +3,7 @@
 use std::io::{IsTerminal, Write};
 
 use super::When;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Severity, rules};
 use crate::driver::Analysis;
 use crate::report;
 
@@ -76,7 +76,9 @@ impl Terminal {
 /// The exit code that findings call for.
 pub(super) fn exit_code(analysis: &Analysis) -> u8 {
     let errors = || analysis.findings.iter().filter(|finding| finding.severity == Severity::Error);
-    if errors().any(|finding| finding.rule.code.starts_with("LM00")) {
+    if errors().any(|finding| finding.rule == &rules::INTERNAL) {
+        super::INTERNAL
+    } else if errors().any(|finding| finding.rule.code.starts_with("LM00")) {
         super::USAGE
     } else if errors().next().is_some() {
         super::FINDINGS

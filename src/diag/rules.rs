@@ -86,7 +86,7 @@ rules! {
     MISSING_ENTRY "LM0401" "missing-entry" Error "a diagram without an entry mode"
     DUPLICATE_PRIORITY "LM0403" "duplicate-priority" Error "two transitions of one mode with one priority"
     UNREACHABLE_MODE "LM0404" "unreachable-mode" Warning "a mode no path of transitions leads to"
-    ENTRY_REQUIRES "LM0405" "entry-requires-optional" Error "an entry mode that requires a sensor"
+    ENTRY_REQUIRES "LM0405" "entry-requires-optional" Error "an entry mode that requires an optional sensor"
     DEAD_END "LM0406" "dead-end" Warning "a mode without a way out that is not marked `final`"
     FINAL_WITH_EXIT "LM0407" "final-with-exit" Error "a `final` mode with a transition"
     REQUIRES_WITHOUT_ELSE "LM0408" "requires-without-else" Warning "a required sensor with nowhere to go when it fails"

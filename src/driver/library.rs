@@ -1,5 +1,8 @@
 //! The standard library, embedded in the binary.
 
+use crate::base::Sources;
+use crate::diag::{Diagnostic, rules};
+
 /// Every file of the standard library: its path, and its text. `std/robots/j5.msd` is imported as `std.robots.j5`.
 pub const LIBRARY: &[(&str, &str)] = &[
     ("std/behaviors/obstacle_avoidance.msd", include_str!("../../stdlib/behaviors/obstacle_avoidance.msd")),
@@ -14,6 +17,19 @@ pub const LIBRARY: &[(&str, &str)] = &[
 /// The text of a file of the library.
 pub(super) fn find(path: &str) -> Option<&'static str> {
     LIBRARY.iter().find(|(known, _)| *known == path).map(|(_, text)| *text)
+}
+
+/// Names the import to write, where a name is declared nowhere but a file of the library is called so.
+pub(super) fn suggest(findings: &mut [Diagnostic], sources: &Sources) {
+    for finding in
+        findings.iter_mut().filter(|finding| finding.rule == &rules::UNKNOWN_NAME && finding.labels.len() == 1)
+    {
+        let name = sources.slice(finding.span());
+        let fits = |known: &String| known.rsplit('.').next() == Some(name);
+        if let Some(known) = names().find(|known| !known.contains(".variables.") && fits(known)) {
+            finding.help = Some(format!("write `import {known}`"));
+        }
+    }
 }
 
 /// The names under which the library's files are imported.

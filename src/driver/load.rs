@@ -102,8 +102,12 @@ impl Loader<'_> {
         }
         let text = self.loaded.sources.get(file).map_or("", |source| source.text.as_str());
         let (tree, findings) = syntax::parse(file, kind.unwrap_or(FileKind::Modes), text);
+        let is_fault = |finding: &&Diagnostic| {
+            [&rules::SYNTAX_ERROR, &rules::TOO_DEEP, &rules::KEYWORD_AS_NAME].contains(&finding.rule)
+        };
+        let faults = findings.iter().filter(is_fault).map(Diagnostic::span).collect();
         self.loaded.findings.extend(findings);
-        self.loaded.units.push(Unit { file, tree, imports: Vec::new() });
+        self.loaded.units.push(Unit { file, tree, imports: Vec::new(), faults });
         self.known.insert(path, Some(file));
         Some(file)
     }
@@ -217,8 +221,15 @@ fn missing(import: &ast::Import, name: &str, stem: &str) -> Diagnostic {
         let diagnostic = Diagnostic::new(&rules::MISSING_IMPORT, span, message).help_maybe(help);
         return diagnostic.note(format!("it has: {}", names.join(", ")));
     }
-    Diagnostic::new(&rules::MISSING_IMPORT, span, format!("no file beside this one is named `{name}`"))
-        .note(format!("looked for `{stem}.msd` and `{stem}.fsfn`"))
+    let diagnostic =
+        Diagnostic::new(&rules::MISSING_IMPORT, span, format!("no file beside this one is named `{name}`"))
+            .note(format!("looked for `{stem}.msd` and `{stem}.fsfn`"));
+    let of_library = library::names().find(|known| known.ends_with(&format!(".{name}")));
+    match (name.strip_suffix(".msd").or(name.strip_suffix(".fsfn")), of_library) {
+        (Some(name), _) => diagnostic.help(format!("write `import {name}`, without the ending")),
+        (None, Some(known)) => diagnostic.help(format!("write `import {known}` for the one of the standard library")),
+        (None, None) => diagnostic,
+    }
 }
 
 fn ambiguous(import: &ast::Import, stem: &str) -> Diagnostic {

@@ -51,7 +51,8 @@ impl Analysis {
 /// Linear in the size of the files.
 pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analysis {
     let load::Loaded { roots, sources, units, mut findings } = load::load(files, roots);
-    let (program, lowering) = sema::lower(&units, &sources);
+    let (program, mut lowering) = sema::lower(&units, &sources);
+    library::suggest(&mut lowering, &sources);
     findings.extend(lowering);
     findings.extend(analysis::run(&program));
     findings.extend(sim::placements(&program));

@@ -58,6 +58,8 @@ pub struct Variable {
     pub fails: Vec<FailReading>,
     /// Its fuzzy sets.
     pub terms: Vec<Term>,
+    /// Whether some term could not be parsed, which was reported; it is left out.
+    pub incomplete: bool,
 }
 
 /// A fuzzy set of a variable.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Lower, ambiguous, invalid, named, not_supported, unknown};
+use super::{Lower, invalid, named, not_supported};
 use crate::base::{Dimension, Exact, Id, Span, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir::{self, Comparison, Expr, Op, Type};
@@ -20,6 +20,8 @@ pub(super) struct Scene {
     pub(super) flags: HashMap<String, Option<Id<ir::Flag>>>,
     /// The modes, where a condition may name them.
     pub(super) modes: HashMap<String, Id<ir::Mode>>,
+    /// The interface the behavior is written on, if it is one.
+    pub(super) interface: Option<String>,
     /// Whether some sensed network is broken: then a name that is not known may be one of its events.
     pub(super) incomplete: bool,
     /// Whether the actions of the mode can report completion; `None` outside of a mode.
@@ -27,9 +29,23 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    fn names(&self) -> impl Iterator<Item = &str> {
+    fn names(&self) -> impl Iterator<Item = &str> + Clone {
         self.events.keys().chain(self.flags.keys()).chain(self.modes.keys()).map(String::as_str)
     }
+}
+
+fn of_interface(interface: &str) -> String {
+    format!("a behavior on an interface reads the sensors that `{interface}` lists, whatever else a robot has")
+}
+
+/// What a simple name can mean.
+#[derive(Clone, Copy)]
+enum Meaning {
+    Flag,
+    /// An event of the network that is sensed in this place.
+    Event(u32),
+    Sensor,
+    Mode,
 }
 
 /// An operand of a comparison: a literal waits for the other side to know its unit.
@@ -45,7 +61,7 @@ impl Lower<'_> {
         match self.program.exprs[id].ty {
             Type::Bool | Type::Error => id,
             Type::Quantity(_) => {
-                self.report(not_a_condition(tree.span, &self.program.exprs[id].op));
+                self.report(not_a_condition(tree.span, &self.program, &self.program.exprs[id].op));
                 self.poisoned(tree.span)
             }
         }
@@ -75,9 +91,12 @@ impl Lower<'_> {
                 Some(Op::Done)
             }
             ast::ExprKind::Call(call) => return self.history(call, scene),
-            ast::ExprKind::Quantity(_) => {
+            ast::ExprKind::Quantity(quantity) => {
                 let message = "this is a quantity, not a condition";
-                self.report(Diagnostic::new(&diag::rules::NOT_A_CONDITION, span, message));
+                let written = self.sources.slice(span);
+                let help = (self.quantity(quantity).is_some_and(|found| found.dimension == Dimension::TIME))
+                    .then(|| format!("write `after {written}` for the time since the mode was entered"));
+                self.report(Diagnostic::new(&diag::rules::NOT_A_CONDITION, span, message).help_maybe(help));
                 None
             }
             ast::ExprKind::Index(..) => self.later(span, "an element of an array of sensors"),
@@ -125,37 +144,47 @@ impl Lower<'_> {
     fn simple_name(&mut self, name: &ast::Name, scene: &Scene) -> Option<Op> {
         let mut found = Vec::new();
         if let Some(flag) = scene.flags.get(&name.text) {
-            found.push(("the flag", Op::Flag((*flag)?)));
+            found.push((Meaning::Flag, Op::Flag((*flag)?)));
         }
         for &(sense, event) in scene.events.get(&name.text).into_iter().flatten() {
-            found.push(("an event", Op::Event { sense, event }));
+            found.push((Meaning::Event(sense), Op::Event { sense, event }));
         }
         if let Some(sensor) = self.find_sensor(name, &scene.sensors) {
             if self.poison.sensors.contains(&sensor) {
                 return None;
             }
-            found.push(("the sensor", Op::Sensor(sensor)));
+            found.push((Meaning::Sensor, Op::Sensor(sensor)));
         }
         if let Some(&mode) = scene.modes.get(&name.text) {
-            found.push(("the mode", Op::InMode(mode)));
+            found.push((Meaning::Mode, Op::InMode(mode)));
         }
         if found.len() > 1 {
             let meanings: Vec<_> = found.iter().map(|(meaning, _)| *meaning).collect();
-            self.report(ambiguous(name, &meanings));
+            self.report(ambiguous(name, &meanings, scene));
             return None;
         }
         if found.is_empty() && !scene.incomplete {
             let sensors = scene.sensors.iter().map(|&sensor| self.program.sensors[sensor].symbol.name.as_str());
-            let diagnostic = unknown(name, "flag, event or sensor", scene.names().chain(sensors));
-            self.report(diagnostic);
+            let diagnostic = self.unknown(name, "flag, event or sensor", scene.names().chain(sensors));
+            let elsewhere = self.event_elsewhere(name).or_else(|| scene.interface.as_deref().map(of_interface));
+            let is_near = diagnostic.help.as_ref().is_some_and(|help| help.starts_with("did"));
+            self.report(if is_near { diagnostic } else { diagnostic.help_maybe(elsewhere) });
         }
         found.pop().map(|(_, op)| op)
+    }
+
+    /// Where a network has an event of that name that the behavior does not sense.
+    fn event_elsewhere(&self, name: &ast::Name) -> Option<String> {
+        let has = |network: &&ir::Network| network.events.iter().any(|event| event.symbol.name == name.text);
+        let network = self.program.networks.values().find(has)?;
+        let (event, network) = (&name.text, &network.symbol.name);
+        Some(format!("`{event}` is an event of the network `{network}`; write `sense {network}(...)` in the behavior"))
     }
 
     fn qualified_name(&mut self, sense: &ast::Name, event: &ast::Name, scene: &Scene) -> Option<Op> {
         let Some(&position) = scene.senses.get(&sense.text) else {
             if !scene.incomplete {
-                self.report(unknown(sense, "sensed network", scene.senses.keys().map(String::as_str)));
+                self.report(self.unknown(sense, "sensed network", scene.senses.keys().map(String::as_str)));
             }
             return None;
         };
@@ -163,7 +192,7 @@ impl Lower<'_> {
         if found.is_none() {
             let known = scene.events.iter().filter(|(_, of)| of.iter().any(|(sense, _)| *sense == position));
             let what = format!("event of `{}`", sense.text);
-            self.report(unknown(event, &what, known.map(|(name, _)| name.as_str())));
+            self.report(self.unknown(event, &what, known.map(|(name, _)| name.as_str())));
         }
         found.map(|&(sense, event)| Op::Event { sense, event })
     }
@@ -178,7 +207,7 @@ impl Lower<'_> {
         let found = self.find_sensor(name, sensors);
         if found.is_none() {
             let known = sensors.iter().map(|&sensor| self.program.sensors[sensor].symbol.name.as_str());
-            let diagnostic = unknown(name, "sensor", known);
+            let diagnostic = self.unknown(name, "sensor", known);
             self.report(diagnostic);
         }
         found.filter(|sensor| !self.poison.sensors.contains(sensor))
@@ -230,6 +259,12 @@ impl Lower<'_> {
         if let ast::ExprKind::Path(path) = &tree.kind
             && let [name] = path.segments.as_slice()
         {
+            let is_sensor = self.find_sensor(name, &scene.sensors).is_some();
+            if !is_sensor && (scene.flags.contains_key(&name.text) || scene.events.contains_key(&name.text)) {
+                let message = format!("`{}` is a flag, not a sensor", name.text);
+                self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
+                return None;
+            }
             return self.sensor_named(name, &scene.sensors);
         }
         self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, tree.span, "`failed` takes the name of a sensor"));
@@ -321,17 +356,48 @@ impl Lower<'_> {
             self.report(outside_range(tree.span, value, &sensor));
         }
         if matches!(op, Op::Count(_)) && value.to_integer().is_none_or(|value| value < 0) {
-            self.report(invalid(tree.span, "a count is a whole number"));
+            let message = format!("a count is a whole number from 0, not {}", tree.number.text);
+            self.report(invalid(tree.span, message));
         }
         Some(id)
     }
 }
 
-fn not_a_condition(span: Span, op: &Op) -> Diagnostic {
+fn ambiguous(name: &ast::Name, meanings: &[Meaning], scene: &Scene) -> Diagnostic {
+    let network = |place: u32| {
+        let found = scene.senses.iter().find(|(_, known)| **known == place);
+        found.map_or("", |(name, _)| name.as_str())
+    };
+    let shown = meanings.iter().map(|meaning| match meaning {
+        Meaning::Flag => "the flag".to_owned(),
+        Meaning::Event(sense) => format!("the event of `{}`", network(*sense)),
+        Meaning::Sensor => "the sensor".to_owned(),
+        Meaning::Mode => "the mode".to_owned(),
+    });
+    let message = format!("`{}` could mean {}", name.text, shown.collect::<Vec<_>>().join(" or "));
+    let qualified = meanings.iter().filter_map(|meaning| match meaning {
+        Meaning::Event(sense) => Some(format!("`{}.{}`", network(*sense), name.text)),
+        Meaning::Flag | Meaning::Sensor | Meaning::Mode => None,
+    });
+    let qualified: Vec<_> = qualified.collect();
+    let help = match (qualified.len() == meanings.len(), qualified.is_empty()) {
+        (true, _) => format!("write {}", qualified.join(" or ")),
+        (false, true) => "rename one of them".to_owned(),
+        (false, false) => format!("write {} for the event, or rename one of them", qualified.join(" or ")),
+    };
+    Diagnostic::new(&diag::rules::AMBIGUOUS_NAME, name.span, message).help(help)
+}
+
+fn not_a_condition(span: Span, program: &ir::Program, op: &Op) -> Diagnostic {
     let diagnostic = Diagnostic::new(&diag::rules::NOT_A_CONDITION, span, "this is a quantity, not a condition");
     match op {
         Op::Count(_) => diagnostic.help("compare it, as in `count(flag) >= 3`"),
-        _ => diagnostic.help("compare it, as in `contact_force > 10 N`"),
+        Op::Sensor(sensor) => {
+            let ir::Sensor { symbol, unit, range, .. } = &program.sensors[*sensor];
+            let middle = unit.show(f64::midpoint(range.0.to_f64(), range.1.to_f64()));
+            diagnostic.help(format!("compare it, as in `{} > {middle}`", symbol.name))
+        }
+        _ => diagnostic,
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::conditions::Scene;
-use super::{Lower, claim, missing_part, not_supported, symbol, unknown};
+use super::{Lower, claim, counted, given, missing_part, not_supported, symbol};
 use crate::base::{Arena, Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
@@ -44,6 +44,10 @@ impl<'a> Lower<'a> {
         let Some(chain) = self.chain(tree) else { return };
         let parts = self.parts(&chain);
         let Some(on) = parts.on else {
+            // What is extended lacks it too, and that was reported.
+            if chain.len() > 1 {
+                return;
+            }
             return self.report(
                 missing_part(tree.name.span, format!("nothing says what `{}` runs on", tree.name.text))
                     .help(format!("write `behavior {} on j5`, or on an interface", tree.name.text)),
@@ -60,8 +64,13 @@ impl<'a> Lower<'a> {
                 (interface.sensors.clone(), interface.actions.clone())
             }
         };
-        let mut scene = Scene { sensors, ..Scene::default() };
+        let interface = match platform {
+            ir::Platform::Robot(_) => None,
+            ir::Platform::Interface(id) => Some(self.program.interfaces[id].symbol.name.clone()),
+        };
+        let mut scene = Scene { sensors, interface, ..Scene::default() };
         let senses = self.senses(&parts.senses, &mut scene);
+        self.broken_items(&chain, &mut scene);
         let flags = self.flags(&parts.flags, &mut scene);
         let modes: HashMap<_, _> = parts
             .modes
@@ -71,7 +80,7 @@ impl<'a> Lower<'a> {
             .collect();
         let lowered: Arena<ir::Mode> =
             parts.modes.iter().map(|mode| self.mode(mode, &modes, &actions, &mut scene)).collect();
-        let broken = |tree: &&ast::Diagram| tree.items.iter().any(|item| matches!(item, ast::DiagramItem::Error(_)));
+        let broken = |tree: &&'a ast::Diagram| tree.items.iter().any(|item| matches!(item, ast::DiagramItem::Error(_)));
         let incomplete = chain.iter().any(broken) || lowered.values().any(|mode| mode.incomplete);
         let mut diagram = ir::Diagram {
             symbol: symbol(&tree.name, tree.doc.as_ref()),
@@ -85,9 +94,16 @@ impl<'a> Lower<'a> {
         };
         match parts.entry {
             Some((entry, _)) => diagram.entry = self.mode_named(entry, &modes),
+            // What is extended lacks it too, and that was reported; or it is in what could not be parsed.
+            None if chain.len() > 1 || chain.iter().any(broken) => {}
             None => self.report(missing_entry(tree, &parts.modes)),
         }
         let id = self.program.diagrams.add(diagram);
+        if scene.incomplete {
+            self.poison.diagrams.insert(id);
+        }
+        let meaningless = scene.flags.into_iter().filter(|(_, flag)| flag.is_none());
+        self.poison.flags.insert(id, meaningless.map(|(name, _)| name).collect());
         self.scopes.diagrams.insert(tree.name.span, id);
     }
 
@@ -96,15 +112,44 @@ impl<'a> Lower<'a> {
         let mut chain = vec![tree];
         while let Some(name) = &chain.last()?.extends {
             let base = self.find_diagram_tree(name)?;
-            if chain.iter().any(|known| known.name.span == base.name.span) {
-                let message = format!("`{}` extends itself", base.name.text);
-                self.report(Diagnostic::new(&diag::rules::CIRCULAR, name.span, message));
+            if let Some(first) = chain.iter().position(|known| known.name.span == base.name.span) {
+                let names: Vec<_> = chain[first..].iter().map(|tree| &tree.name).collect();
+                self.extends_circle(&tree.name, &names, name.span);
                 return None;
             }
             chain.push(base);
         }
         chain.reverse();
         Some(chain)
+    }
+
+    /// Reports a circle of declarations that extend each other, once: where the first of them in the text is looked
+    /// at. `names` are the circle's in the order in which they extend each other, and `span` is where the last of them
+    /// names the first.
+    pub(super) fn extends_circle(&mut self, looked_at: &ast::Name, names: &[&ast::Name], span: Span) {
+        let Some(first) = names.iter().map(|name| name.span).min() else { return };
+        if looked_at.span != first {
+            return;
+        }
+        let list: Vec<_> = names.iter().chain(names.first()).map(|name| format!("`{}`", name.text)).collect();
+        let diagnostic = match names {
+            [one] => Diagnostic::new(&diag::rules::CIRCULAR, span, format!("`{}` extends itself", one.text)),
+            _ => {
+                let message = format!("`{}` extends itself through others", looked_at.text);
+                Diagnostic::new(&diag::rules::CIRCULAR, first, message)
+                    .note(format!("the circle: {}", list.join(" extends ")))
+            }
+        };
+        self.report(diagnostic.help("one of them must stand on its own"));
+    }
+
+    /// Notes that what could not be parsed may have sensed a network.
+    fn broken_items(&self, chain: &[&ast::Diagram], scene: &mut Scene) {
+        for item in chain.iter().flat_map(|tree| &tree.items) {
+            if let ast::DiagramItem::Error(span) = item {
+                scene.incomplete |= !matches!(self.unparsed.first_word(*span), "mode" | "final" | "flag" | "entry");
+            }
+        }
     }
 
     fn parts(&mut self, chain: &[&'a ast::Diagram]) -> Parts<'a> {
@@ -187,7 +232,7 @@ impl<'a> Lower<'a> {
             };
             if let Some(sensor) = sensor {
                 let unit = self.program.sensors[sensor].unit.clone();
-                self.check_feed(argument.value.span, input.variable, &unit);
+                self.check_feed(argument.value.span, input, &unit);
             }
             fed.push(sensor);
         }
@@ -212,7 +257,8 @@ impl<'a> Lower<'a> {
                     let place = parameters.iter().position(|parameter| *parameter == name.text);
                     if place.is_none() {
                         let known = parameters.iter().copied();
-                        self.report(unknown(name, &format!("input of this {what}"), known));
+                        let place = if what == "network" { "input" } else { "parameter" };
+                        self.report(self.unknown(name, &format!("{place} of this {what}"), known));
                         sound = false;
                     }
                     place
@@ -232,10 +278,13 @@ impl<'a> Lower<'a> {
         }
         let complete = sound && arguments.len() == parameters.len();
         if sound && !complete {
-            let message = format!("this {what} takes {} arguments, {} are given", parameters.len(), arguments.len());
-            let note = if parameters.is_empty() { "none".to_owned() } else { parameters.join(", ") };
-            let diagnostic = Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, span, message);
-            self.report(diagnostic.note(format!("it takes: {note}")));
+            let message =
+                format!("this {what} takes {}, {}", counted(parameters.len(), "argument"), given(arguments.len()));
+            let mut diagnostic = Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, span, message);
+            if !parameters.is_empty() {
+                diagnostic = diagnostic.note(format!("it takes: {}", parameters.join(", ")));
+            }
+            self.report(diagnostic);
         }
         if complete { placed.into_iter().collect() } else { None }
     }
@@ -279,31 +328,51 @@ impl<'a> Lower<'a> {
         for (tree, _) in trees.iter().zip(&placed).filter(|(_, placed)| !**placed) {
             scene.flags.insert(tree.name.text.clone(), None);
         }
-        if let Some(first) = placed.iter().position(|placed| !placed) {
-            let circle = circle(first, &uses, &placed);
+        for circle in circles(&uses, &placed) {
             self.report(circular_flags(&circle.iter().map(|&flag| &trees[flag].name).collect::<Vec<_>>()));
         }
         lowered
     }
 }
 
-/// Flags that need each other in a circle, starting among those that could not be placed.
-fn circle(start: usize, uses: &[Vec<usize>], placed: &[bool]) -> Vec<usize> {
-    let mut path = vec![start];
-    loop {
-        let next = uses[path[path.len() - 1]].iter().copied().find(|&used| !placed[used]);
-        let Some(next) = next else { return path };
-        if let Some(place) = path.iter().position(|&flag| flag == next) {
-            return path.split_off(place);
+/// Flags that need each other in a circle, among those that could not be placed. Each of these uses one that could not
+/// be placed either, so that a walk along them ends in a circle, or where an earlier walk has been.
+fn circles(uses: &[Vec<usize>], placed: &[bool]) -> Vec<Vec<usize>> {
+    const NEVER: usize = usize::MAX;
+    let mut circles = Vec::new();
+    // For each flag the start of the walk that came by, and how far along it was.
+    let mut seen = vec![(NEVER, 0); placed.len()];
+    for start in (0..placed.len()).filter(|&flag| !placed[flag]) {
+        let mut path = Vec::new();
+        let mut next = Some(start);
+        while let Some(flag) = next {
+            match seen[flag] {
+                (NEVER, _) => {
+                    seen[flag] = (start, path.len());
+                    path.push(flag);
+                    next = uses[flag].iter().copied().find(|&used| !placed[used]);
+                }
+                (walk, place) => {
+                    if walk == start {
+                        circles.push(path.split_off(place));
+                    }
+                    next = None;
+                }
+            }
         }
-        path.push(next);
     }
+    circles
 }
 
 fn circular_flags(names: &[&ast::Name]) -> Diagnostic {
     let list: Vec<_> = names.iter().chain(names.first()).map(|name| format!("`{}`", name.text)).collect();
     let span = names.first().map(|name| name.span).unwrap_or_default();
-    Diagnostic::new(&diag::rules::CIRCULAR, span, format!("flags need each other in a circle: {}", list.join(", ")))
+    let diagnostic = match names {
+        [one] => Diagnostic::new(&diag::rules::CIRCULAR, span, format!("the flag `{}` needs itself", one.text)),
+        _ => Diagnostic::new(&diag::rules::CIRCULAR, span, "flags need each other in a circle")
+            .note(format!("the circle: {}", list.join(" needs "))),
+    };
+    diagnostic
         .help("a flag that looks at its own past reads it through `rising`, `held`, `latched` or `count` of another")
 }
 
@@ -341,7 +410,10 @@ fn collect_names<'e>(expr: &'e ast::Expr, names: &mut Vec<&'e str>) {
 }
 
 fn missing_entry(tree: &ast::Diagram, modes: &[&ast::Mode]) -> Diagnostic {
-    let help = modes.first().map(|mode| format!("write `entry {}`", mode.name.text));
+    let help = match modes.first() {
+        Some(mode) => format!("write `entry {}`", mode.name.text),
+        None => "write a `mode`, and `entry` with its name".to_owned(),
+    };
     let message = format!("`{}` does not say in which mode it starts", tree.name.text);
-    Diagnostic::new(&diag::rules::MISSING_ENTRY, tree.name.span, message).help_maybe(help)
+    Diagnostic::new(&diag::rules::MISSING_ENTRY, tree.name.span, message).help(help)
 }

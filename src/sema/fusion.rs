@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::quantities::mismatch;
-use super::{Lower, claim, fail_reading, missing_part, not_supported, symbol};
+use super::{Lower, claim, counted, fail_reading, given, missing_part, not_supported, symbol};
 use crate::base::{Exact, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
@@ -44,11 +44,13 @@ impl Lower<'_> {
             let symbol = symbol(&term.name, term.doc.as_ref());
             terms.push(ir::Term { symbol, shape, shape_span: term.shape.span });
         }
-        if tree.terms.is_empty() {
-            self.report(missing_part(tree.name.span, format!("variable `{}` has no term", tree.name.text)));
+        let incomplete = self.unparsed.touches(tree.span);
+        if tree.terms.is_empty() && !incomplete {
+            let diagnostic = missing_part(tree.name.span, format!("variable `{}` has no term", tree.name.text));
+            self.report(diagnostic.help("write a line such as `low = ramp(80, 20)` for each fuzzy set"));
         }
         let symbol = symbol(&tree.name, tree.doc.as_ref());
-        let id = self.program.variables.add(ir::Variable { symbol, unit, range, fails, terms });
+        let id = self.program.variables.add(ir::Variable { symbol, unit, range, fails, terms, incomplete });
         self.scopes.variables.insert(tree.name.span, id);
     }
 
@@ -92,11 +94,11 @@ impl Lower<'_> {
         }
         let Some(&(_, count, form)) = SHAPES.iter().find(|(known, ..)| *known == name) else {
             let known = SHAPES.iter().map(|(known, ..)| *known).chain(CURVES.iter().copied()).chain(["points"]);
-            self.report(super::unknown(function, "shape", known));
+            self.report(self.unknown(function, "shape", known));
             return None;
         };
         if parameters.len() != count {
-            let message = format!("`{name}` takes {count} parameters, {} are given", parameters.len());
+            let message = format!("`{name}` takes {}, {}", counted(count, "parameter"), given(parameters.len()));
             let diagnostic = Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, function.span, message);
             self.report(diagnostic.help(format!("write `{name}{form}`")));
             return None;
@@ -199,7 +201,10 @@ impl Lower<'_> {
                 rules.extend(self.event_rule(rule, network, &over));
             }
         }
-        if !tree.sides.iter().any(|side| side.kind == ast::SideKind::Contributor && !side.rules.is_empty()) {
+        let is_broken = self.unparsed.touches(tree.span);
+        if !is_broken
+            && !tree.sides.iter().any(|side| side.kind == ast::SideKind::Contributor && !side.rules.is_empty())
+        {
             let message = format!("no rule contributes to `{}`", tree.name.text);
             let diagnostic = Diagnostic::new(&diag::rules::NO_CONTRIBUTOR, tree.name.span, message);
             self.report(diagnostic.note("an event is set when its contributor outweighs its detractor"));
@@ -248,7 +253,7 @@ impl Lower<'_> {
                 Some(input) => inputs.push(input as u32),
                 None => {
                     let known = network.inputs.iter().map(|input| input.symbol.name.as_str());
-                    self.report(super::unknown(name, "input of this network", known));
+                    self.report(self.unknown(name, "input of this network", known));
                 }
             }
         }
@@ -256,12 +261,13 @@ impl Lower<'_> {
     }
 
     /// Checks that a network's input can be fed by something of a unit.
-    pub(super) fn check_feed(&mut self, span: crate::base::Span, variable: crate::base::Id<ir::Variable>, fed: &Unit) {
-        let wanted = self.program.variables[variable].unit.dimension;
+    pub(super) fn check_feed(&mut self, span: crate::base::Span, input: &ir::NetworkInput, fed: &Unit) {
+        let variable = &self.program.variables[input.variable];
+        let wanted = variable.unit.dimension;
         if wanted != fed.dimension {
-            let name = &self.program.variables[variable].symbol.name;
-            let diagnostic =
-                mismatch(span, fed.dimension, wanted).note(format!("the input takes the variable `{name}`"));
+            let (input, variable) = (&input.symbol.name, &variable.symbol.name);
+            let diagnostic = mismatch(span, fed.dimension, wanted)
+                .note(format!("it feeds the input `{input}`, which takes the variable `{variable}`"));
             self.report(diagnostic);
         }
     }

@@ -12,10 +12,12 @@ mod robots;
 mod rules;
 mod scenarios;
 mod scope;
+mod unparsed;
 mod worlds;
 
 pub use scope::Import;
 
+use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
 use crate::base::{FileId, Id, Sources, Span};
@@ -23,6 +25,7 @@ use crate::diag::{self, Diagnostic};
 use crate::ir::{self, Program, Symbol};
 use crate::syntax::ast;
 use scope::Scopes;
+use unparsed::Unparsed;
 
 /// A parsed file with what its imports resolved to.
 #[derive(Debug, Clone)]
@@ -33,6 +36,8 @@ pub struct Unit {
     pub tree: ast::File,
     /// The files it imports; imports that led nowhere are left out.
     pub imports: Vec<Import>,
+    /// Where its text could not be parsed.
+    pub faults: Vec<Span>,
 }
 
 /// Lowers all files of a compilation together. Total: what is broken is reported and left out, or stands in the program
@@ -40,14 +45,25 @@ pub struct Unit {
 pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let scopes = Scopes::collect(units, &mut diagnostics);
-    let mut lower =
-        Lower { units, sources, scopes, program: Program::default(), poison: Poison::default(), diagnostics };
+    let mut lower = Lower {
+        units,
+        sources,
+        scopes,
+        unparsed: Unparsed::collect(units, sources),
+        program: Program::default(),
+        poison: Poison::default(),
+        comparisons: Cell::new(MOST_COMPARISONS),
+        diagnostics,
+    };
     for phase in [Phase::Variables, Phase::Networks, Phase::Interfaces, Phase::Robots, Phase::Worlds, Phase::Diagrams] {
         lower.run(phase);
     }
     lower.run(Phase::Scenarios);
     (lower.program, lower.diagnostics)
 }
+
+/// The most names that are compared for suggestions in one compilation, so that its cost stays linear.
+const MOST_COMPARISONS: usize = 200_000;
 
 /// Declarations are lowered in an order in which each finds what it names.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -66,8 +82,11 @@ struct Lower<'a> {
     units: &'a [Unit],
     sources: &'a Sources,
     scopes: Scopes<'a>,
+    unparsed: Unparsed<'a>,
     program: Program,
     poison: Poison,
+    /// How many more names may be compared for a suggestion.
+    comparisons: Cell<usize>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -77,6 +96,12 @@ struct Lower<'a> {
 struct Poison {
     sensors: HashSet<Id<ir::Sensor>>,
     actions: HashSet<Id<ir::Action>>,
+    /// Robots without the body they should have.
+    robots: HashSet<Id<ir::Robot>>,
+    /// Diagrams that sense a broken network: a name that is not known may be one of its events.
+    diagrams: HashSet<Id<ir::Diagram>>,
+    /// The flags of a diagram that have no meaning, because they need each other in a circle.
+    flags: HashMap<Id<ir::Diagram>, Vec<String>>,
 }
 
 impl<'a> Lower<'a> {
@@ -108,7 +133,27 @@ impl<'a> Lower<'a> {
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
-        self.diagnostics.push(diagnostic);
+        let is_unknown = diagnostic.rule == &diag::rules::UNKNOWN_NAME;
+        if !is_unknown || !self.unparsed.explains(diagnostic.span()) {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// The finding for a name that is not among the candidates. A file with thousands of unknown names among thousands
+    /// of known ones gets suggestions for the first ones only.
+    fn unknown<'s>(
+        &self,
+        name: &ast::Name,
+        what: &str,
+        candidates: impl IntoIterator<Item = &'s str, IntoIter: Clone>,
+    ) -> Diagnostic {
+        let candidates = candidates.into_iter();
+        let room = self.comparisons.get();
+        let left = if room == 0 { None } else { room.checked_sub(candidates.clone().count()) };
+        self.comparisons.set(left.unwrap_or(0));
+        let help = left.and_then(|_| diag::did_you_mean(&name.text, candidates.clone()).or_else(|| known(candidates)));
+        let message = format!("no {what} is named `{}`", name.text);
+        Diagnostic::new(&diag::rules::UNKNOWN_NAME, name.span, message).help_maybe(help)
     }
 
     /// Reports a second thing where there may be one; keeps the first.
@@ -128,6 +173,24 @@ fn symbol(name: &ast::Name, doc: Option<&ast::Doc>) -> Symbol {
     Symbol { name: name.text.clone(), span: name.span, doc }
 }
 
+/// The help line that names all candidates, where they are few.
+fn known<'s>(candidates: impl Iterator<Item = &'s str>) -> Option<String> {
+    const FEW: usize = 8;
+    let mut names: Vec<_> = candidates.take(FEW + 1).map(|name| format!("`{name}`")).collect();
+    names.sort_unstable();
+    (1..=FEW).contains(&names.len()).then(|| format!("known are: {}", names.join(", ")))
+}
+
+/// `1 argument`, `3 arguments`.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// `1 is given`, `3 are given`.
+fn given(count: usize) -> String {
+    format!("{count} {} given", if count == 1 { "is" } else { "are" })
+}
+
 /// The position of a name among symbols.
 fn position<'s>(name: &str, symbols: impl IntoIterator<Item = &'s Symbol>) -> Option<usize> {
     symbols.into_iter().position(|symbol| symbol.name == name)
@@ -136,18 +199,6 @@ fn position<'s>(name: &str, symbols: impl IntoIterator<Item = &'s Symbol>) -> Op
 /// What is named so among the sensors or actions of a robot or interface.
 fn named<'s, T>(name: &str, ids: &[Id<T>], symbol: impl Fn(Id<T>) -> &'s Symbol) -> Option<Id<T>> {
     ids.iter().copied().find(|&id| symbol(id).name == name)
-}
-
-fn unknown<'s>(name: &ast::Name, what: &str, candidates: impl IntoIterator<Item = &'s str>) -> Diagnostic {
-    let message = format!("no {what} is named `{}`", name.text);
-    Diagnostic::new(&diag::rules::UNKNOWN_NAME, name.span, message)
-        .help_maybe(diag::did_you_mean(&name.text, candidates))
-}
-
-fn ambiguous(name: &ast::Name, meanings: &[&str]) -> Diagnostic {
-    let message = format!("`{}` could mean {}", name.text, meanings.join(" or "));
-    Diagnostic::new(&diag::rules::AMBIGUOUS_NAME, name.span, message)
-        .help(format!("write `network.{}` for an event, or rename one of them", name.text))
 }
 
 fn duplicate(name: &ast::Name, first: Span, what: &str) -> Diagnostic {

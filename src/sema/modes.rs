@@ -4,13 +4,14 @@ use std::collections::HashMap;
 
 use super::conditions::Scene;
 use super::quantities::empty_range;
-use super::{Lower, invalid, named, not_supported, symbol, unknown};
+use super::{Lower, given, invalid, named, not_supported, symbol};
 use crate::base::{Exact, Id, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
 use crate::syntax::ast;
 
-type Modes<'t> = HashMap<&'t str, Id<ir::Mode>>;
+/// The modes of a diagram by name.
+pub(super) type Modes<'t> = HashMap<&'t str, Id<ir::Mode>>;
 
 impl Lower<'_> {
     pub(super) fn mode(
@@ -36,6 +37,7 @@ impl Lower<'_> {
             transitions: Vec::new(),
             incomplete: tree.items.iter().any(|item| matches!(item, ast::ModeItem::Error(_))),
         };
+        mode.incomplete |= mode.otherwise.is_none() && tree.otherwise.is_some();
         for name in &tree.requires {
             let sensor = self.sensor_named(name, &scene.sensors);
             mode.requires.extend(sensor.map(|sensor| (sensor, name.span)));
@@ -93,7 +95,7 @@ impl Lower<'_> {
     pub(super) fn mode_named(&mut self, name: &ast::Name, modes: &Modes<'_>) -> Option<Id<ir::Mode>> {
         let found = modes.get(name.text.as_str()).copied();
         if found.is_none() {
-            self.report(unknown(name, "mode", modes.keys().copied()));
+            self.report(self.unknown(name, "mode", modes.keys().copied()));
         }
         found
     }
@@ -106,7 +108,7 @@ impl Lower<'_> {
         };
         let Some(action) = named(&name.text, actions, |id| &self.program.actions[id].symbol) else {
             let known = actions.iter().map(|&id| self.program.actions[id].symbol.name.as_str());
-            let diagnostic = unknown(name, "action", known);
+            let diagnostic = self.unknown(name, "action", known);
             self.report(diagnostic);
             return None;
         };
@@ -158,7 +160,7 @@ impl Lower<'_> {
             })
             .collect();
         let [low, high] = ends.as_slice() else {
-            let message = format!("`random` takes 2 arguments, {} are given", ends.len());
+            let message = format!("`random` takes 2 arguments, {}", given(ends.len()));
             self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, call.span, message));
             return None;
         };

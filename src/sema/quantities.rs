@@ -118,9 +118,11 @@ impl Lower<'_> {
         let value = self.quantity_of(quantity, Dimension::TIME, None)?;
         let nanoseconds = Quantity::new(value, Dimension::TIME).to_nanoseconds();
         if nanoseconds.is_none() {
-            let reason =
-                if value.is_negative() { "a time cannot be negative" } else { "time is counted in whole nanoseconds" };
-            self.report(invalid(quantity.span, "this time cannot be counted").note(reason));
+            self.report(if value.is_negative() {
+                invalid(quantity.span, "a time cannot be negative")
+            } else {
+                invalid(quantity.span, "this time is not a whole number of nanoseconds, or too long to count in them")
+            });
         }
         nanoseconds
     }
@@ -172,8 +174,54 @@ fn example_unit(dimension: Dimension) -> String {
     }
 }
 
+/// What people write for a unit, in lower case, and what to write instead.
+const ALIASES: &[(&str, &str)] = &[
+    ("sec", "`s`"),
+    ("second", "`s`"),
+    ("seconds", "`s`"),
+    ("msec", "`ms`"),
+    ("millisecond", "`ms`"),
+    ("milliseconds", "`ms`"),
+    ("minute", "`min`"),
+    ("minutes", "`min`"),
+    ("hour", "`h`"),
+    ("hours", "`h`"),
+    ("meter", "`m`"),
+    ("meters", "`m`"),
+    ("metre", "`m`"),
+    ("metres", "`m`"),
+    ("centimeter", "`cm`"),
+    ("centimeters", "`cm`"),
+    ("inches", "`inch`"),
+    ("feet", "`ft`"),
+    ("degree", "`deg`"),
+    ("degrees", "`deg`"),
+    ("radian", "`rad`"),
+    ("radians", "`rad`"),
+    ("turns", "`turn`"),
+    ("kilogram", "`kg`"),
+    ("kilograms", "`kg`"),
+    ("kilo", "`kg`"),
+    ("kgs", "`kg`"),
+    ("newton", "`N`"),
+    ("newtons", "`N`"),
+    ("nm", "`N*m`"),
+    ("volt", "`V`"),
+    ("volts", "`V`"),
+    ("percent", "`%`"),
+    ("hertz", "`Hz`"),
+    ("mps", "`m/s`"),
+    ("kph", "`km/h`"),
+    ("kmh", "`km/h`"),
+    ("mph", "the speed in `m/s`; 1 mile per hour is 0.44704 m/s"),
+    ("knots", "the speed in `m/s`; 1 knot is 1852 m/h"),
+];
+
 fn unknown_unit(name: &ast::Name) -> Diagnostic {
-    let near = diag::did_you_mean(&name.text, UNITS.iter().map(|unit| unit.name));
+    let alias = ALIASES.iter().find(|(alias, _)| *alias == name.text.to_lowercase());
+    let near = alias
+        .map(|(_, unit)| format!("write {unit}"))
+        .or_else(|| diag::did_you_mean(&name.text, UNITS.iter().map(|unit| unit.name)));
     Diagnostic::new(&diag::rules::UNKNOWN_UNIT, name.span, format!("`{}` is not a unit", name.text))
         .help_maybe(near)
         .note("units are spelled as in SI: `cm/s`, `m/s^2`, `deg`, `N`, `%`; `lmslc explain LM0302` lists them")

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::fusion::missing_range;
 use super::quantities::mismatch;
-use super::{Lower, claim, invalid, missing_part, named, not_supported, symbol, unknown};
+use super::{Lower, claim, counted, given, invalid, missing_part, named, not_supported, symbol};
 use crate::base::{Dimension, Exact, Id, Span, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir::{self, BodyCommandKind, SensorSource};
@@ -41,7 +41,7 @@ const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
 
 impl Lower<'_> {
     pub(super) fn interface(&mut self, tree: &ast::Interface) {
-        let members = self.members(&tree.items, false);
+        let members = self.members(&tree.items, Carrier::Interface);
         if let Some((_, span)) = members.body {
             self.report(invalid(span, "an interface has no body").help("bodies belong to robots"));
         }
@@ -52,8 +52,22 @@ impl Lower<'_> {
     }
 
     pub(super) fn robot(&mut self, tree: &ast::Robot) {
-        let has_body = tree.items.iter().any(|item| matches!(item, ast::RobotItem::Body(_)));
-        let members = self.members(&tree.items, has_body);
+        let is_body = |item: &ast::RobotItem| match item {
+            ast::RobotItem::Body(_) => true,
+            ast::RobotItem::Error(span) => self.unparsed.first_word(*span) == "body",
+            _ => false,
+        };
+        let carrier = if tree.items.iter().any(is_body) { Carrier::Body } else { Carrier::Nothing };
+        let members = self.members(&tree.items, carrier);
+        // A body that is missing where an action needs it, or that is broken, is reported once.
+        let needs_body = tree.items.iter().find_map(|item| match item {
+            ast::RobotItem::Action(action) => action.implementation.as_ref(),
+            _ => None,
+        });
+        if let (Carrier::Nothing, Some(call)) = (carrier, needs_body) {
+            self.report(missing_body(&tree.name, call.span));
+        }
+        let is_broken = members.body.as_ref().map_or(needs_body.is_some(), |(body, _)| body.is_none());
         let provides: Vec<_> = tree
             .provides
             .iter()
@@ -71,16 +85,19 @@ impl Lower<'_> {
         };
         let id = self.program.robots.add(robot);
         self.scopes.robots.insert(tree.name.span, id);
+        if is_broken {
+            self.poison.robots.insert(id);
+        }
     }
 
-    fn members(&mut self, items: &[ast::RobotItem], has_body: bool) -> Members {
+    fn members(&mut self, items: &[ast::RobotItem], carrier: Carrier) -> Members {
         let mut members = Members::default();
         let mut seen = HashMap::new();
         for item in items {
             match item {
                 ast::RobotItem::Body(body) => {
                     let lowered = self.body(body);
-                    self.once(&mut members.body, lowered, body.span, "a body");
+                    self.once(&mut members.body, lowered, body.span, "the body");
                 }
                 ast::RobotItem::Sensor(sensor) => {
                     if claim(&mut seen, &sensor.name, "sensor", &mut self.diagnostics) {
@@ -90,7 +107,7 @@ impl Lower<'_> {
                 }
                 ast::RobotItem::Action(action) => {
                     if claim(&mut seen, &action.name, "action", &mut self.diagnostics) {
-                        let lowered = self.action(action, has_body);
+                        let lowered = self.action(action, carrier);
                         members.actions.push(self.add_action(&action.name, lowered));
                     }
                 }
@@ -203,7 +220,7 @@ impl Lower<'_> {
         Some(source)
     }
 
-    fn action(&mut self, tree: &ast::Action, has_body: bool) -> Option<ir::Action> {
+    fn action(&mut self, tree: &ast::Action, carrier: Carrier) -> Option<ir::Action> {
         let mut seen = HashMap::new();
         let mut parameters = Vec::new();
         for parameter in &tree.parameters {
@@ -211,16 +228,20 @@ impl Lower<'_> {
             parameters.push(ir::Parameter { symbol: symbol(&parameter.name, None), unit: self.unit(&parameter.unit)? });
         }
         let command = match &tree.implementation {
-            Some(call) if has_body => self.command(call, &parameters, tree.done),
-            Some(call) => {
-                self.report(missing_part(call.span, "there is no body that could carry this out"));
-                None
-            }
+            Some(call) => match carrier {
+                Carrier::Body => self.command(call, &parameters, tree.done),
+                Carrier::Nothing => None,
+                Carrier::Interface => {
+                    let diagnostic = missing_part(call.span, "there is no body that could carry this out");
+                    self.report(diagnostic.help("an interface only promises actions; leave out `= ...`"));
+                    None
+                }
+            },
             None => {
-                if has_body {
+                if carrier == Carrier::Body {
                     self.report(
                         missing_part(tree.name.span, format!("nothing says how the body does `{}`", tree.name.text))
-                            .help("write `= body.velocity(...)`, `body.arc`, `body.rotate` or `body.stop`"),
+                            .help("write `= body.velocity(...)`, `= body.arc(...)`, `= body.rotate(...)` or `= body.stop()` behind it"),
                     );
                 }
                 None
@@ -251,7 +272,8 @@ impl Lower<'_> {
             self.report(invalid(done, message).help("leave out `-> done`; only `body.rotate` comes to an end"));
         }
         if call.arguments.len() != wanted.len() {
-            let message = format!("`{name}` takes {} arguments, {} are given", wanted.len(), call.arguments.len());
+            let message =
+                format!("`{name}` takes {}, {}", counted(wanted.len(), "argument"), given(call.arguments.len()));
             self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, call.span, message));
             return None;
         }
@@ -279,7 +301,7 @@ impl Lower<'_> {
                 let Some(index) = super::position(&name.text, parameters.iter().map(|parameter| &parameter.symbol))
                 else {
                     let known = parameters.iter().map(|parameter| parameter.symbol.name.as_str());
-                    self.report(unknown(name, "parameter of this action", known));
+                    self.report(self.unknown(name, "parameter of this action", known));
                     return None;
                 };
                 let found = parameters.get(index)?.unit.dimension;
@@ -298,19 +320,20 @@ impl Lower<'_> {
 
     fn body(&mut self, tree: &ast::Body) -> Option<ir::Body> {
         if tree.kind.text != "differential_drive" {
-            self.report(unknown(&tree.kind, "body", ["differential_drive"]));
+            self.report(self.unknown(&tree.kind, "body", ["differential_drive"]));
             return None;
         }
-        let mut given: HashMap<&str, (Vec<f64>, Span)> = HashMap::new();
+        let mut read: HashMap<&str, (Vec<f64>, Span)> = HashMap::new();
         let mut sound = true;
         for parameter in &tree.parameters {
             let name = parameter.name.text.as_str();
             let Some(&(_, dimension, count, _)) = PARAMETERS.iter().find(|(known, ..)| *known == name) else {
-                self.report(unknown(&parameter.name, "parameter of this body", PARAMETERS.iter().map(|p| p.0)));
+                self.report(self.unknown(&parameter.name, "parameter of this body", PARAMETERS.iter().map(|p| p.0)));
+                sound = false;
                 continue;
             };
             if parameter.values.len() != count {
-                let message = format!("`{name}` takes {count} values, {} are given", parameter.values.len());
+                let message = format!("`{name}` takes {}, {}", counted(count, "value"), given(parameter.values.len()));
                 let help = if count == 2 { "write `size (length, width)`" } else { "write one value" };
                 let rule = &diag::rules::WRONG_ARGUMENTS;
                 self.report(Diagnostic::new(rule, parameter.span, message).help(help));
@@ -327,7 +350,7 @@ impl Lower<'_> {
                 .collect();
             match values.into_iter().collect::<Option<Vec<_>>>() {
                 Some(values) => {
-                    if let Some((_, first)) = given.insert(name, (values, parameter.name.span)) {
+                    if let Some((_, first)) = read.insert(name, (values, parameter.name.span)) {
                         self.report(super::said_twice(parameter.name.span, first, &format!("`{name}`")));
                     }
                 }
@@ -336,7 +359,7 @@ impl Lower<'_> {
         }
         let missing: Vec<_> = PARAMETERS
             .iter()
-            .filter(|(name, _, _, default)| default.is_none() && !given.contains_key(name))
+            .filter(|(name, _, _, default)| default.is_none() && !read.contains_key(name))
             .map(|(name, ..)| format!("`{name}`"))
             .collect();
         if sound && !missing.is_empty() {
@@ -345,7 +368,7 @@ impl Lower<'_> {
         }
         let value = |name: &str, index: usize| {
             let default = PARAMETERS.iter().find(|(known, ..)| *known == name).and_then(|parameter| parameter.3);
-            given.get(name).and_then(|(values, _)| values.get(index).copied()).or(default)
+            read.get(name).and_then(|(values, _)| values.get(index).copied()).or(default)
         };
         Some(ir::Body::DifferentialDrive(ir::DifferentialDrive {
             mass: value("mass", 0)?,
@@ -379,7 +402,8 @@ impl Lower<'_> {
                             kept.symbol.name == wanted.symbol.name && kept.unit.dimension == wanted.unit.dimension
                         })
             });
-            if !fits {
+            let is_lost = kept.is_none() && self.unparsed.may_declare(&wanted.symbol.name);
+            if !fits && !is_lost {
                 broken.push((&wanted.symbol, "action", kept.map(|kept| actions[kept].symbol.span)));
             }
         }
@@ -388,7 +412,8 @@ impl Lower<'_> {
             let kept = named(&wanted.symbol.name, &members.sensors, |id| &sensors[id].symbol);
             let poisoned = |id| self.poison.sensors.contains(&id);
             let fits = |id| sensors[id].unit.dimension == wanted.unit.dimension || poisoned(id) || poisoned(sensor);
-            if !kept.is_some_and(fits) {
+            let is_lost = kept.is_none() && self.unparsed.may_declare(&wanted.symbol.name);
+            if !kept.is_some_and(fits) && !is_lost {
                 broken.push((&wanted.symbol, "sensor", kept.map(|kept| sensors[kept].symbol.span)));
             }
         }
@@ -408,11 +433,28 @@ impl Lower<'_> {
     }
 }
 
+/// Who carries out the actions of a list of members.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Carrier {
+    /// The robot's body.
+    Body,
+    /// A robot without a body: its actions are the user's to write.
+    Nothing,
+    /// The robots that provide the interface.
+    Interface,
+}
+
 #[derive(Default)]
 struct Members {
     body: Option<(Option<ir::Body>, Span)>,
     sensors: Vec<Id<ir::Sensor>>,
     actions: Vec<Id<ir::Action>>,
+}
+
+fn missing_body(robot: &ast::Name, needed: Span) -> Diagnostic {
+    missing_part(robot.span, format!("`{}` has no body", robot.text))
+        .label(needed, "there is nothing that could carry this out")
+        .help("write `body differential_drive { mass 20 kg  size (0.5 m, 0.4 m)  track 0.35 m  traction 0.6 }`")
 }
 
 fn join(path: &ast::Path) -> String {
@@ -425,7 +467,13 @@ fn unknown_path<'s>(
     what: &str,
     known: impl Iterator<Item = &'s str> + Clone,
 ) -> Diagnostic {
+    // Every part by itself: `body.halt` is as long as `body.arc` is near it.
+    let is_near = |candidate: &&str| {
+        let (parts, others) = (name.split('.'), candidate.split('.'));
+        parts.clone().count() == others.clone().count()
+            && parts.zip(others).all(|(part, other)| part == other || diag::nearest(part, [other]).is_some())
+    };
     Diagnostic::new(&diag::rules::UNKNOWN_NAME, path.span, format!("{what} `{name}`"))
-        .help_maybe(diag::did_you_mean(name, known.clone()))
+        .help_maybe(known.clone().find(is_near).map(|candidate| format!("did you mean `{candidate}`?")))
         .note(format!("known are: {}", known.collect::<Vec<_>>().join(", ")))
 }

@@ -60,18 +60,21 @@ impl Lower<'_> {
         let variable = &self.program.variables[network.inputs[input as usize].variable];
         let mut terms = Vec::new();
         let mut broken = Vec::new();
+        let mut sound = true;
         for name in names {
             match super::position(&name.text, variable.terms.iter().map(|term| &term.symbol)) {
                 Some(term) => terms.push(term as u32),
+                // It may be the term that could not be parsed.
+                None if variable.incomplete => sound = false,
                 None => {
+                    sound = false;
                     let known = variable.terms.iter().map(|term| term.symbol.name.as_str());
                     let what = format!("term of `{}`", variable.symbol.name);
-                    let diagnostic = super::unknown(name, &what, known);
+                    let diagnostic = self.unknown(name, &what, known);
                     broken.push(diagnostic.label(variable.symbol.span, "the variable of this cell"));
                 }
             }
         }
-        let sound = broken.is_empty();
         self.diagnostics.extend(broken);
         sound.then_some(terms)
     }
@@ -125,7 +128,7 @@ impl Lower<'_> {
         {
             let input = super::position(&name.text, network.inputs.iter().map(|input| &input.symbol));
             if input.is_none() {
-                self.report(super::unknown(name, "input of this network", known));
+                self.report(self.unknown(name, "input of this network", known));
             }
             return input.map(|input| input as u32);
         }

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use super::conditions::Scene;
+use super::modes::Modes;
 use super::quantities::empty_range;
-use super::{Lower, missing_part, not_supported, symbol};
+use super::{Lower, claim, missing_part, not_supported, symbol};
 use crate::base::{Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir::{self, Window};
@@ -34,6 +35,10 @@ impl<'a> Lower<'a> {
         let Some(chain) = self.scenario_chain(tree) else { return };
         let parts = self.scenario_parts(&chain);
         let Some(runs) = parts.runs else {
+            // What is extended lacks it too, and that was reported.
+            if chain.len() > 1 {
+                return;
+            }
             return self.report(
                 missing_part(tree.name.span, format!("`{}` does not say what it runs", tree.name.text))
                     .help(format!("write `scenario {} runs obstacle_manipulation`", tree.name.text)),
@@ -47,6 +52,8 @@ impl<'a> Lower<'a> {
 
         let duration = match parts.duration {
             Some((duration, _)) => self.positive_nanoseconds(duration, "a duration"),
+            // What is extended lacks it too, and that was reported; or it is in what could not be parsed.
+            None if chain.len() > 1 || chain.iter().any(|tree| tree.items.iter().any(is_error)) => None,
             None => {
                 let message = format!("`{}` does not say how long it lasts", tree.name.text);
                 self.report(missing_part(tree.name.span, message).help("write `duration 10 s`"));
@@ -72,12 +79,16 @@ impl<'a> Lower<'a> {
             (walls, boxes, goal) = (world.walls.clone(), world.boxes.clone(), world.goal);
         }
         for tree in &parts.boxes {
+            self.check_box_name(tree, &boxes);
             let lowered = self.box_body(tree, boxes.len());
             boxes.extend(lowered);
         }
         let faults = parts.faults.iter().filter_map(|fault| self.fault(fault, robot)).collect();
         let expectations = self.expectations(&parts.expectations, diagram, robot);
         // What was wrong has been reported; a scenario with a gap is not run.
+        if self.poison.robots.contains(&robot) {
+            return;
+        }
         let (Some(duration), Some(tick), Some(seed), Some(start)) = (duration, tick, seed, start) else { return };
         self.program.scenarios.add(ir::Scenario {
             symbol: symbol(&tree.name, tree.doc.as_ref()),
@@ -99,9 +110,9 @@ impl<'a> Lower<'a> {
         let mut chain = vec![tree];
         while let Some(name) = &chain.last()?.extends {
             let base = self.find_scenario_tree(name)?;
-            if chain.iter().any(|known| known.name.span == base.name.span) {
-                let message = format!("`{}` extends itself", base.name.text);
-                self.report(Diagnostic::new(&diag::rules::CIRCULAR, name.span, message));
+            if let Some(first) = chain.iter().position(|known| known.name.span == base.name.span) {
+                let names: Vec<_> = chain[first..].iter().map(|tree| &tree.name).collect();
+                self.extends_circle(&tree.name, &names, name.span);
                 return None;
             }
             chain.push(base);
@@ -118,6 +129,7 @@ impl<'a> Lower<'a> {
             parts.within = tree.within.as_ref().or(parts.within);
             parts.expectations.clear();
             let mut own = Parts::default();
+            let mut boxes = HashMap::new();
             for item in &tree.items {
                 match item {
                     ast::ScenarioItem::Duration(duration, span) => {
@@ -132,6 +144,11 @@ impl<'a> Lower<'a> {
                         self.once(&mut own.start, place, *span, "the robot's place");
                     }
                     ast::ScenarioItem::PlaceBox(item) => {
+                        if let Some(name) = &item.name
+                            && !claim(&mut boxes, name, "box", &mut self.diagnostics)
+                        {
+                            continue;
+                        }
                         let same = |known: &&ast::BoxItem| {
                             item.name.is_some()
                                 && known.name.as_ref().map(|name| &name.text)
@@ -153,6 +170,16 @@ impl<'a> Lower<'a> {
             parts.start = own.start.or(parts.start);
         }
         parts
+    }
+
+    /// Reports a box that is named like one of the scenario's world.
+    fn check_box_name(&mut self, tree: &ast::BoxItem, boxes: &[ir::BoxBody]) {
+        if let Some(name) = &tree.name
+            && let Some(first) = boxes.iter().find(|known| known.name == name.text)
+        {
+            let diagnostic = super::duplicate(name, first.span, "box");
+            self.report(diagnostic);
+        }
     }
 
     /// The robot a scenario runs on: the one it names, or else the one its diagram is written on.
@@ -178,7 +205,16 @@ impl<'a> Lower<'a> {
                 if !fits {
                     let diagram = &self.program.diagrams[diagram].symbol.name;
                     let message = format!("`{diagram}` is not written for the robot `{}`", name.text);
-                    self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
+                    let note = match platform {
+                        ir::Platform::Robot(wanted) => {
+                            format!("it is written on `{}`", self.program.robots[wanted].symbol.name)
+                        }
+                        ir::Platform::Interface(wanted) => {
+                            let interface = &self.program.interfaces[wanted].symbol.name;
+                            format!("it runs on robots that provide `{interface}`")
+                        }
+                    };
+                    self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message).note(note));
                 }
                 fits.then_some(robot)
             }
@@ -186,7 +222,7 @@ impl<'a> Lower<'a> {
     }
 
     fn fault(&mut self, tree: &ast::ScenarioItem, robot: Id<ir::Robot>) -> Option<ir::Fault> {
-        let (reference, reading, window) = match tree {
+        let (reference, reading, window_tree) = match tree {
             ast::ScenarioItem::Fault { sensor, reading, window, .. } => (sensor, Some(reading), window),
             ast::ScenarioItem::Fail { sensor, window, .. } => (sensor, None, window),
             _ => return None,
@@ -214,11 +250,13 @@ impl<'a> Lower<'a> {
                 return None;
             }
         };
-        let from = window.from.as_ref().map_or(Some(0), |from| self.nanoseconds(from));
-        let to = window.to.as_ref().map_or(Some(u64::MAX), |to| self.nanoseconds(to));
+        let from = window_tree.from.as_ref().map_or(Some(0), |from| self.nanoseconds(from));
+        let to = window_tree.to.as_ref().map_or(Some(u64::MAX), |to| self.nanoseconds(to));
         let window = Window { from: from?, to: to? };
         if window.from > window.to {
-            self.report(empty_range(reference.path.span));
+            let ends = (&window_tree.from, &window_tree.to);
+            let span = if let (_, Some(to)) = ends { to.span } else { reference.path.span };
+            self.report(empty_range(span));
             return None;
         }
         Some(ir::Fault { sensor, reading, window })
@@ -230,8 +268,13 @@ impl<'a> Lower<'a> {
         diagram: Id<ir::Diagram>,
         robot: Id<ir::Robot>,
     ) -> Vec<ir::Expectation> {
-        let diagram = &self.program.diagrams[diagram];
-        let mut scene = Scene { sensors: self.program.robots[robot].sensors.clone(), ..Scene::default() };
+        let id = diagram;
+        let diagram = &self.program.diagrams[id];
+        let sensors = self.program.robots[robot].sensors.clone();
+        let mut scene = Scene { sensors, incomplete: self.poison.diagrams.contains(&id), ..Scene::default() };
+        for name in self.poison.flags.get(&id).into_iter().flatten() {
+            scene.flags.insert(name.clone(), None);
+        }
         for (id, mode) in diagram.modes.iter() {
             scene.modes.insert(mode.symbol.name.clone(), id);
         }
@@ -245,18 +288,18 @@ impl<'a> Lower<'a> {
                 scene.events.entry(declared.symbol.name.clone()).or_default().push(place);
             }
         }
-        trees.iter().filter_map(|tree| self.expectation(tree, &scene)).collect()
+        let modes: HashMap<&str, _> = scene.modes.iter().map(|(name, &id)| (name.as_str(), id)).collect();
+        trees.iter().filter_map(|tree| self.expectation(tree, &scene, &modes)).collect()
     }
 
-    fn expectation(&mut self, tree: &ast::Expect, scene: &Scene) -> Option<ir::Expectation> {
-        let modes: HashMap<&str, _> = scene.modes.iter().map(|(name, &id)| (name.as_str(), id)).collect();
+    fn expectation(&mut self, tree: &ast::Expect, scene: &Scene, modes: &Modes<'_>) -> Option<ir::Expectation> {
         let kind = match &tree.kind {
             ast::ExpectKind::Modes(names) => {
-                let found: Vec<_> = names.iter().map(|name| self.mode_named(name, &modes)).collect();
+                let found: Vec<_> = names.iter().map(|name| self.mode_named(name, modes)).collect();
                 ir::ExpectationKind::Modes(found.into_iter().collect::<Option<_>>()?)
             }
             ast::ExpectKind::Transition { from, to, within } => {
-                let (from, to) = (self.mode_named(from, &modes), self.mode_named(to, &modes));
+                let (from, to) = (self.mode_named(from, modes), self.mode_named(to, modes));
                 let window = self.range_window(within.as_ref());
                 ir::ExpectationKind::Transition { from: from?, to: to?, window: window? }
             }
@@ -300,4 +343,8 @@ impl<'a> Lower<'a> {
             ast::ExpectWindow::Within(range) => self.range_window(Some(range)),
         }
     }
+}
+
+fn is_error(item: &ast::ScenarioItem) -> bool {
+    matches!(item, ast::ScenarioItem::Error(_))
 }

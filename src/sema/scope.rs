@@ -1,8 +1,8 @@
 //! What each file can name: its own declarations and those of the files it imports.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-use super::{Lower, Unit, duplicate, unknown};
+use super::{Lower, Unit, duplicate};
 use crate::base::{FileId, Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
@@ -59,6 +59,8 @@ struct Entry<'a> {
 /// The names each file can use, and the ids of what has been lowered. A declaration is known by the place of its name.
 pub(super) struct Scopes<'a> {
     files: HashMap<FileId, HashMap<&'a str, Entry<'a>>>,
+    /// Files with an import that led nowhere.
+    incomplete: HashSet<FileId>,
     pub(super) variables: HashMap<Span, Id<ir::Variable>>,
     pub(super) networks: HashMap<Span, Id<ir::Network>>,
     pub(super) interfaces: HashMap<Span, Id<ir::Interface>>,
@@ -92,8 +94,11 @@ impl<'a> Scopes<'a> {
                 }
             }
         }
+        let imports = |unit: &Unit| unit.tree.items.iter().filter(|item| matches!(item, ast::Item::Import(_))).count();
+        let incomplete = units.iter().filter(|unit| unit.imports.len() < imports(unit)).map(|unit| unit.file).collect();
         Self {
             files,
+            incomplete,
             variables: HashMap::new(),
             networks: HashMap::new(),
             interfaces: HashMap::new(),
@@ -138,6 +143,11 @@ fn clash(name: &str, import: Span, first: Span, second: Span) -> Diagnostic {
         .help("rename one of them, or leave out the import")
 }
 
+fn with_article(kind: &str) -> String {
+    let article = if kind.starts_with(['a', 'e', 'i', 'o']) { "an" } else { "a" };
+    format!("{article} {kind}")
+}
+
 impl<'a> Lower<'a> {
     /// What a name stands for in the file it is written in; reports one that stands for nothing.
     fn look_up(&mut self, name: &ast::Name, what: &str) -> Option<Declared<'a>> {
@@ -145,21 +155,42 @@ impl<'a> Lower<'a> {
         if let Some(entry) = scope.get(name.text.as_str()) {
             return Some(entry.declared);
         }
+        // An import that led nowhere may have been the one that declares it.
+        if self.scopes.incomplete.contains(&name.span.file) {
+            return None;
+        }
         let fitting = scope.iter().filter(|(_, entry)| entry.declared.kind() == what).map(|(name, _)| *name);
-        let mut diagnostic = unknown(name, what, fitting);
+        let mut diagnostic = self.unknown(name, what, fitting);
         let elsewhere = self.scopes.files.values().filter_map(|scope| scope.get(name.text.as_str()));
         let elsewhere = elsewhere.min_by_key(|entry| entry.span);
-        if let (Some(entry), None) = (elsewhere, &diagnostic.help) {
-            diagnostic = diagnostic.label(entry.span, "one of this name is declared here, in a file not imported");
+        let is_near = diagnostic.help.as_ref().is_some_and(|help| help.starts_with("did"));
+        if let (Some(entry), false) = (elsewhere, is_near) {
+            diagnostic = diagnostic
+                .label(entry.span, "one of this name is declared here, in a file that this one does not import")
+                .help_maybe(self.import_for(name.span.file, entry.span.file));
         }
         self.report(diagnostic);
         None
     }
 
+    /// The import that brings a file's declarations into another one, where it is of the library or beside it.
+    fn import_for(&self, into: FileId, from: FileId) -> Option<String> {
+        let (into, from) = (self.sources.path(into), self.sources.path(from));
+        let (stem, _) = from.rsplit_once('.')?;
+        let folder = |path: &str| path.rsplit_once('/').map_or("", |(folder, _)| folder).to_owned();
+        let name = match stem.starts_with("std/") {
+            true => Some(stem.replace('/', ".")),
+            false if folder(into) == folder(from) => stem.rsplit('/').next().map(str::to_owned),
+            false => None,
+        };
+        name.map(|name| format!("write `import {name}`"))
+    }
+
     fn wrong_kind(&mut self, name: &ast::Name, declared: Declared<'a>, wanted: &str) {
         // What is not implemented yet was reported where it is declared.
         if !matches!(declared, Declared::Later(_)) {
-            let message = format!("`{}` is a {}, not a {wanted}", name.text, declared.kind());
+            let (is, wanted) = (with_article(declared.kind()), with_article(wanted));
+            let message = format!("`{}` is {is}, not {wanted}", name.text);
             self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
         }
     }

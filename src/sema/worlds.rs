@@ -1,6 +1,8 @@
 //! Worlds and what stands in them.
 
-use super::{Lower, not_supported, symbol};
+use std::collections::HashMap;
+
+use super::{Lower, claim, not_supported, symbol};
 use crate::base::{Dimension, Exact};
 use crate::ir;
 use crate::syntax::ast;
@@ -9,6 +11,7 @@ impl Lower<'_> {
     pub(super) fn world(&mut self, tree: &ast::World) {
         let mut world = ir::World { symbol: symbol(&tree.name, tree.doc.as_ref()), ..ir::World::default() };
         let mut goal = None;
+        let mut boxes = HashMap::new();
         for item in &tree.items {
             match item {
                 ast::WorldItem::Wall { points, span } => {
@@ -17,6 +20,9 @@ impl Lower<'_> {
                     world.walls.extend(corners.map(|corners| ir::Wall { corners, span: *span }));
                 }
                 ast::WorldItem::Box(item) => {
+                    if let Some(name) = &item.name {
+                        claim(&mut boxes, name, "box", &mut self.diagnostics);
+                    }
                     let lowered = self.box_body(item, world.boxes.len());
                     world.boxes.extend(lowered);
                 }

@@ -127,9 +127,19 @@ fn cannot_start(scenario: &ir::Scenario, error: &RunError) -> Diagnostic {
                 .help("write `body differential_drive { ... }` in the robot, so that it can be simulated")
         }
         RunError::Overlap { what, with, span } => {
-            let message = format!("{what} and {with} stand in one place at the start of `{name}`");
-            Diagnostic::new(&rules::BAD_PLACEMENT, *span, message)
-                .note("`at (x, y)` is the middle of a body, `at D ahead` the free floor in front of the robot")
+            let shown = |thing: &str| match thing {
+                "robot" => "the robot".to_owned(),
+                "a wall" => thing.to_owned(),
+                name => format!("the box `{name}`"),
+            };
+            let message = format!("{} and {} overlap at the start of `{name}`", shown(what), shown(with));
+            // A wall may be shared with other scenarios; the robot is this one's to place.
+            let diagnostic = if what == "robot" {
+                Diagnostic::new(&rules::BAD_PLACEMENT, scenario.symbol.span, message).label(*span, "this wall")
+            } else {
+                Diagnostic::new(&rules::BAD_PLACEMENT, *span, message).label(scenario.symbol.span, "in this scenario")
+            };
+            diagnostic.note("`at (x, y)` is the middle of a body, `at D ahead` the free floor in front of the robot")
         }
     }
 }

@@ -3,7 +3,10 @@
 #![allow(clippy::disallowed_methods, clippy::print_stderr, reason = "tests read files")]
 
 mod architecture;
+mod corpus;
+mod docs;
 mod examples;
+mod pages;
 mod sessions;
 mod support;
 mod syntax;

@@ -78,3 +78,66 @@ pub fn files_below(folder: &str, endings: &[&str]) -> Vec<String> {
     paths.sort();
     paths
 }
+
+/// A fenced block of a Markdown page.
+#[derive(Debug, Clone)]
+pub struct Fence {
+    /// The line of the page on which its text begins.
+    pub line: usize,
+    /// The heading of level two above it.
+    pub section: String,
+    /// The first word behind the backticks: `msd`, `fsfn,later`, `text`.
+    pub tag: String,
+    /// The file it is, where it says so: `file=bump.fsfn`.
+    pub file: Option<String>,
+    pub text: String,
+}
+
+impl Fence {
+    /// Whether it is text of the language, of either kind.
+    pub fn is_program(&self) -> bool {
+        matches!(self.tag.as_str(), "msd" | "fsfn" | "msd,later" | "fsfn,later")
+    }
+
+    /// The path under which it is analyzed.
+    pub fn path(&self) -> String {
+        let ending = self.tag.trim_end_matches(",later");
+        self.file.clone().unwrap_or_else(|| format!("page.{ending}"))
+    }
+}
+
+/// The fenced blocks of a Markdown page, in order.
+pub fn fences(page: &str) -> Vec<Fence> {
+    let mut fences: Vec<Fence> = Vec::new();
+    let (mut section, mut open) = (String::new(), false);
+    for (line, number) in page.lines().zip(1..) {
+        match line.strip_prefix("```") {
+            Some(_) if open => open = false,
+            Some(info) => {
+                let tag = info.split(' ').next().unwrap().to_owned();
+                let file = info.split_once("file=").map(|(_, file)| file.trim().to_owned());
+                fences.push(Fence { line: number + 1, section: section.clone(), tag, file, text: String::new() });
+                open = true;
+            }
+            None if open => {
+                let text = &mut fences.last_mut().unwrap().text;
+                text.push_str(line);
+                text.push('\n');
+            }
+            None => {
+                if let Some(heading) = line.strip_prefix("## ") {
+                    heading.trim().clone_into(&mut section);
+                }
+            }
+        }
+    }
+    assert!(!open, "a fence is not closed");
+    fences
+}
+
+/// Analyzes the last of some fences; those before it are the files it may import.
+pub fn analyze_fences(fences: &[&Fence]) -> Analysis {
+    let texts: Vec<_> = fences.iter().rev().map(|fence| (fence.path(), fence.text.as_str())).collect();
+    let texts: Vec<_> = texts.iter().map(|(path, text)| (path.as_str(), *text)).collect();
+    analyze_texts(&texts)
+}

@@ -1,0 +1,1 @@
+import collision //~ error LM0006

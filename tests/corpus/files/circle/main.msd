@@ -1,0 +1,2 @@
+// The circle is found wherever one begins to read.
+import avoid

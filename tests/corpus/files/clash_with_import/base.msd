@@ -1,0 +1,3 @@
+interface base {
+    action halt()
+}

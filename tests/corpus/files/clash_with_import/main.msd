@@ -1,0 +1,5 @@
+import base //~ error LM0203
+
+interface base {
+    action stop()
+}

@@ -1,0 +1,2 @@
+import left
+import right //~ error LM0203

@@ -1,0 +1,1 @@
+import bump.fsfn //~ error LM0003

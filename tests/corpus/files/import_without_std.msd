@@ -1,0 +1,2 @@
+import j5 //~ error LM0003
+import robots.j5 //~ error LM0003

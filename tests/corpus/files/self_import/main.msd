@@ -1,0 +1,1 @@
+import main //~ error LM0004

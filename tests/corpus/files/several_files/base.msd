@@ -1,0 +1,4 @@
+interface base {
+    action halt()
+    action drive(speed: m/s)
+}
