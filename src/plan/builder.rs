@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Bool, Code, Comparison, Real, Shape, Step, Steps};
+use super::{Bool, Code, Real, Shape, Step, Steps};
 use crate::base::Id;
 use crate::ir;
 
@@ -268,7 +268,7 @@ impl<'a> Builder<'a> {
             ir::Op::Compare(comparison, left, right) => {
                 let (left, right) = (values[left], values[right]);
                 self.bool(Key::Compare(*comparison, left, right), |_, to| Step::Compare {
-                    comparison: lower_comparison(*comparison),
+                    comparison: *comparison,
                     left,
                     right,
                     to,
@@ -343,16 +343,5 @@ fn lower_shape(shape: &ir::Shape, code: &mut Code) -> Shape {
             code.points.extend(points.iter().map(|(at, degree)| (at.to_f64(), degree.to_f64())));
             Shape::Points(start..code.points.len() as u32)
         }
-    }
-}
-
-fn lower_comparison(comparison: ir::Comparison) -> Comparison {
-    match comparison {
-        ir::Comparison::Less => Comparison::Less,
-        ir::Comparison::LessOrEqual => Comparison::LessOrEqual,
-        ir::Comparison::Greater => Comparison::Greater,
-        ir::Comparison::GreaterOrEqual => Comparison::GreaterOrEqual,
-        ir::Comparison::Equal => Comparison::Equal,
-        ir::Comparison::NotEqual => Comparison::NotEqual,
     }
 }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+pub use crate::ir::Comparison;
+
 /// A number of the plan's memory.
 pub type Real = u32;
 /// A truth value of the plan's memory.
@@ -243,23 +245,6 @@ pub enum Shape {
     Singleton(f64),
     /// `kernel::points` over a span of [`Code::points`]
     Points(Range<u32>),
-}
-
-/// A comparison of two numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Comparison {
-    /// `<`
-    Less,
-    /// `<=`
-    LessOrEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterOrEqual,
-    /// `==`
-    Equal,
-    /// `!=`
-    NotEqual,
 }
 
 /// A sensor that is read, or an input of a network evaluated on its own. Numbers are SI.

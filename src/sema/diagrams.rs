@@ -41,7 +41,7 @@ impl<'a> Lower<'a> {
             ast::Layer::Activity => return self.report(not_supported(tree.name.span, "an activity")),
             ast::Layer::Goal => return self.report(not_supported(tree.name.span, "a goal")),
         };
-        let Some(chain) = self.chain(tree) else { return };
+        let Some(chain) = self.chain(tree, Self::find_diagram_tree) else { return };
         let parts = self.parts(&chain);
         let Some(on) = parts.on else {
             // What is extended lacks it too, and that was reported.
@@ -105,42 +105,6 @@ impl<'a> Lower<'a> {
         let meaningless = scene.flags.into_iter().filter(|(_, flag)| flag.is_none());
         self.poison.flags.insert(id, meaningless.map(|(name, _)| name).collect());
         self.scopes.diagrams.insert(tree.name.span, id);
-    }
-
-    /// The diagrams to take over, the oldest first; `None` where they extend each other in a circle, or one is missing.
-    fn chain(&mut self, tree: &'a ast::Diagram) -> Option<Vec<&'a ast::Diagram>> {
-        let mut chain = vec![tree];
-        while let Some(name) = &chain.last()?.extends {
-            let base = self.find_diagram_tree(name)?;
-            if let Some(first) = chain.iter().position(|known| known.name.span == base.name.span) {
-                let names: Vec<_> = chain[first..].iter().map(|tree| &tree.name).collect();
-                self.extends_circle(&tree.name, &names, name.span);
-                return None;
-            }
-            chain.push(base);
-        }
-        chain.reverse();
-        Some(chain)
-    }
-
-    /// Reports a circle of declarations that extend each other, once: where the first of them in the text is looked
-    /// at. `names` are the circle's in the order in which they extend each other, and `span` is where the last of them
-    /// names the first.
-    pub(super) fn extends_circle(&mut self, looked_at: &ast::Name, names: &[&ast::Name], span: Span) {
-        let Some(first) = names.iter().map(|name| name.span).min() else { return };
-        if looked_at.span != first {
-            return;
-        }
-        let list: Vec<_> = names.iter().chain(names.first()).map(|name| format!("`{}`", name.text)).collect();
-        let diagnostic = match names {
-            [one] => Diagnostic::new(&diag::rules::CIRCULAR, span, format!("`{}` extends itself", one.text)),
-            _ => {
-                let message = format!("`{}` extends itself through others", looked_at.text);
-                Diagnostic::new(&diag::rules::CIRCULAR, first, message)
-                    .note(format!("the circle: {}", list.join(" extends ")))
-            }
-        };
-        self.report(diagnostic.help("one of them must stand on its own"));
     }
 
     /// Notes that what could not be parsed may have sensed a network.

@@ -5,6 +5,7 @@
 
 mod conditions;
 mod diagrams;
+mod extends;
 mod fusion;
 mod modes;
 mod quantities;

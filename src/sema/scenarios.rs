@@ -32,7 +32,7 @@ struct Parts<'a> {
 
 impl<'a> Lower<'a> {
     pub(super) fn scenario(&mut self, tree: &'a ast::Scenario) {
-        let Some(chain) = self.scenario_chain(tree) else { return };
+        let Some(chain) = self.chain(tree, Self::find_scenario_tree) else { return };
         let parts = self.scenario_parts(&chain);
         let Some(runs) = parts.runs else {
             // What is extended lacks it too, and that was reported.
@@ -104,21 +104,6 @@ impl<'a> Lower<'a> {
             faults,
             expectations,
         });
-    }
-
-    fn scenario_chain(&mut self, tree: &'a ast::Scenario) -> Option<Vec<&'a ast::Scenario>> {
-        let mut chain = vec![tree];
-        while let Some(name) = &chain.last()?.extends {
-            let base = self.find_scenario_tree(name)?;
-            if let Some(first) = chain.iter().position(|known| known.name.span == base.name.span) {
-                let names: Vec<_> = chain[first..].iter().map(|tree| &tree.name).collect();
-                self.extends_circle(&tree.name, &names, name.span);
-                return None;
-            }
-            chain.push(base);
-        }
-        chain.reverse();
-        Some(chain)
     }
 
     fn scenario_parts(&mut self, chain: &[&'a ast::Scenario]) -> Parts<'a> {
