@@ -1,0 +1,89 @@
+//! Conditions, operands before what uses them.
+
+use super::{Flag, Mode, Sensor};
+use crate::base::{Dimension, Exact, Id, Span};
+
+/// A condition or an operand of one.
+#[derive(Debug, Clone)]
+pub struct Expr {
+    /// What it is.
+    pub op: Op,
+    /// Its type.
+    pub ty: Type,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The type of an expression.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Type {
+    /// True or false.
+    Bool,
+    /// A number of some dimension.
+    Quantity(Dimension),
+    /// Poison: something was wrong and has been reported.
+    Error,
+}
+
+/// The operations of conditions.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Op {
+    /// Something that was reported as wrong.
+    Error,
+    /// A number in SI.
+    Number(Exact),
+    /// The reading of a sensor, in SI.
+    Sensor(Id<Sensor>),
+    /// Whether a sensor is known to have failed.
+    Failed(Id<Sensor>),
+    /// An event of the diagram's sense at that position.
+    Event {
+        /// The position of the sense in its diagram.
+        sense: u32,
+        /// The position of the event in its network.
+        event: u32,
+    },
+    /// A named condition of the diagram.
+    Flag(Id<Flag>),
+    /// Whether the diagram is in a mode; only in expectations and properties.
+    InMode(Id<Mode>),
+    /// Whether the mode has been active for that many nanoseconds.
+    After(u64),
+    /// Whether the mode's action has reported completion.
+    Done,
+    /// Rising edges of a condition since the mode was entered.
+    Count(Id<Expr>),
+    /// True now and false on the tick before.
+    Rising(Id<Expr>),
+    /// False now and true on the tick before.
+    Falling(Id<Expr>),
+    /// True without a break for that many nanoseconds.
+    Held(Id<Expr>, u64),
+    /// True on some tick since the mode was entered.
+    Latched(Id<Expr>),
+    /// A comparison of two quantities.
+    Compare(Comparison, Id<Expr>, Id<Expr>),
+    /// Negation.
+    Not(Id<Expr>),
+    /// Conjunction.
+    And(Vec<Id<Expr>>),
+    /// Disjunction.
+    Or(Vec<Id<Expr>>),
+}
+
+/// A comparison of quantities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    NotEqual,
+}
