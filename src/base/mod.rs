@@ -4,12 +4,14 @@
 //! Crates: num-bigint, num-rational, num-traits
 
 mod arena;
+mod fraction;
 mod quantity;
 mod source;
 mod span;
 mod unit;
 
 pub use arena::{Arena, Id};
+pub use fraction::Fraction;
 pub use quantity::{Dimension, Exact, Quantity};
 pub use source::{Source, Sources};
 pub use span::{FileId, Span};

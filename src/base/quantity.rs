@@ -9,6 +9,8 @@ use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{CheckedDiv, CheckedMul, Signed, ToPrimitive, Zero};
 
+use super::Fraction;
+
 /// An exact number `ratio · π^pi`. Zero has no power of π. Operations answer `None` where the result does not fit
 /// a fraction of 128-bit integers; they never round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -103,22 +105,35 @@ impl Exact {
         (self.pi == 0 && self.ratio.is_integer()).then(|| self.ratio.to_integer())
     }
 
+    /// Exactly, in units of `π^pi`, where this number is zero or has that power of π; else with π to 60 digits, which
+    /// no two literals can tie.
+    pub fn to_fraction(self, pi: i8) -> Fraction {
+        if self.pi == pi || self.is_zero() {
+            return Fraction::short(self.ratio);
+        }
+        Fraction::long(Self { ratio: self.ratio, pi: self.pi.saturating_sub(pi) }.to_big())
+    }
+
     /// As an arbitrarily long fraction, π to 60 digits.
     fn to_big(self) -> BigRational {
-        let mut value = BigRational::new((*self.ratio.numer()).into(), (*self.ratio.denom()).into());
-        let pi = BigRational::new(
-            BigInt::parse_bytes(PI_DIGITS.as_bytes(), 10).unwrap_or_default(),
-            BigInt::from(10).pow(PI_DECIMALS),
-        );
-        for _ in 0..self.pi.unsigned_abs() {
-            if self.pi > 0 {
-                value *= &pi;
-            } else {
-                value /= &pi;
-            }
-        }
-        value
+        times_pi(BigRational::new((*self.ratio.numer()).into(), (*self.ratio.denom()).into()), self.pi)
     }
+}
+
+/// `value · π^power`, π to 60 digits.
+pub(super) fn times_pi(mut value: BigRational, power: i8) -> BigRational {
+    let pi = BigRational::new(
+        BigInt::parse_bytes(PI_DIGITS.as_bytes(), 10).unwrap_or_default(),
+        BigInt::from(10).pow(PI_DECIMALS),
+    );
+    for _ in 0..power.unsigned_abs() {
+        if power > 0 {
+            value *= &pi;
+        } else {
+            value /= &pi;
+        }
+    }
+    value
 }
 
 impl PartialOrd for Exact {
