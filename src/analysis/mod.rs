@@ -8,6 +8,7 @@
 mod breakpoints;
 mod coverage;
 mod exits;
+pub mod network;
 mod priorities;
 mod reachability;
 mod requirements;

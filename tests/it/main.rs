@@ -6,6 +6,8 @@ mod architecture;
 mod corpus;
 mod docs;
 mod examples;
+mod golden;
+mod golden_reader;
 mod pages;
 mod sessions;
 mod support;

@@ -1,0 +1,60 @@
+//! Everything about a network's events under every set of failed sensors, decided exactly.
+//!
+//! A *level* is a degree between 0 and 1. At one level, all that matters of an input is how each of its terms compares
+//! to it; these patterns are finitely many, and they change only at finitely many levels. Inputs are independent of
+//! each other, so what the rules of one event can be at one level is the product of what each input can be.
+
+mod curve;
+mod event;
+mod faults;
+mod fold;
+mod model;
+mod question;
+mod sensor;
+mod slices;
+mod witness;
+
+pub use event::{EventFacts, RuleFacts, Verdict};
+pub use faults::{Fault, FaultSet, fault_sets};
+pub use model::{Feed, Model};
+pub use witness::{Reading, Witness};
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use crate::base::Id;
+use crate::ir::{self, Program};
+
+/// What is known of a network under a set of failed sensors.
+#[derive(Debug, Clone)]
+pub struct NetworkFacts {
+    /// The failures; none for the network as it is meant to be.
+    pub faults: FaultSet,
+    /// Of each event, in order. Fault sets share what no failure of theirs touches.
+    pub events: Vec<Arc<EventFacts>>,
+}
+
+/// What is known of a network on its own under every set of at most `up_to` failed sensors, smallest sets first.
+/// Nothing where one of its variables is broken, which is reported elsewhere.
+pub fn analyze(program: &Program, network: Id<ir::Network>, up_to: usize) -> Vec<NetworkFacts> {
+    Model::new(program, network).map_or_else(Vec::new, |model| model.facts(up_to))
+}
+
+impl Model {
+    /// What is known under every set of at most `up_to` failures, smallest sets first.
+    pub fn facts(&self, up_to: usize) -> Vec<NetworkFacts> {
+        let mut known: HashMap<(usize, Vec<usize>), Arc<EventFacts>> = HashMap::new();
+        let facts = self.fault_sets(up_to).into_iter().map(|faults| {
+            let states = self.states(&faults);
+            let events = self.events.iter().enumerate().map(|(position, event)| {
+                // What no rule of the event names does not touch it.
+                let touching = event.uses.iter().map(|named| states[named.input]).collect();
+                let facts = known.entry((position, touching));
+                Arc::clone(facts.or_insert_with(|| Arc::new(EventFacts::new(self, event, &states))))
+            });
+            let events = events.collect();
+            NetworkFacts { faults, events }
+        });
+        facts.collect()
+    }
+}

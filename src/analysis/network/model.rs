@@ -1,0 +1,201 @@
+//! A network made ready for questions: its inputs in every state, its events as rules over choices of literals.
+
+use super::curve::Curve;
+use super::faults::{FaultSet, fault_sets};
+use super::sensor::Sensor;
+use super::slices::Slices;
+use crate::analysis::breakpoints;
+use crate::base::{Exact, Fraction, Id};
+use crate::ir::{self, FailReading, Literal, Program, Rule};
+
+/// What feeds an input of a network.
+#[derive(Debug, Clone)]
+pub struct Feed {
+    /// The readings it can give, in SI: lower end, upper end.
+    pub range: (Exact, Exact),
+    /// How it can fail.
+    pub fails: Vec<FailReading>,
+}
+
+/// A network with what feeds it, ready to be asked.
+#[derive(Debug, Clone)]
+pub struct Model {
+    pub(super) inputs: Vec<Input>,
+    pub(super) events: Vec<EventModel>,
+}
+
+/// An input of a network.
+#[derive(Debug, Clone)]
+pub(super) struct Input {
+    /// Readings are in units of this power of π.
+    pub(super) pi: i8,
+    /// The literals that some rule of the network names.
+    literals: Vec<Literal>,
+    fails: Vec<FailReading>,
+    /// Healthy, then failed in each way.
+    pub(super) sensors: Vec<Sensor>,
+}
+
+/// An event of a network. Its rules are counted through, contributors first.
+#[derive(Debug, Clone)]
+pub(super) struct EventModel {
+    /// How many rules speak for it.
+    pub(super) contributors: usize,
+    /// How many rules it has.
+    pub(super) rules: usize,
+    /// The rules that name nothing; their strength is 1.
+    pub(super) unconditional: Vec<usize>,
+    /// The inputs it names, in order.
+    pub(super) uses: Vec<Use>,
+}
+
+/// What an event names of one input.
+#[derive(Debug, Clone)]
+pub(super) struct Use {
+    /// The position of the input in its network.
+    pub(super) input: usize,
+    /// The choices of literals that its rules name.
+    pub(super) choices: Vec<Choice>,
+    /// The patterns of the choices, by the state of the input.
+    pub(super) slices: Vec<Slices>,
+}
+
+/// Literals of one input of which the largest degree counts.
+#[derive(Debug, Clone)]
+pub(super) struct Choice {
+    /// Positions in the input's literals.
+    pub(super) literals: Vec<usize>,
+    /// The rules that name exactly these.
+    pub(super) rules: Vec<usize>,
+}
+
+impl Model {
+    /// A network on its own: its variables say what feeds it. `None` where a variable is broken, which is reported
+    /// elsewhere.
+    pub fn new(program: &Program, network: Id<ir::Network>) -> Option<Self> {
+        let feed = |input: &ir::NetworkInput| {
+            let variable = &program.variables[input.variable];
+            Feed { range: variable.range, fails: variable.fails.clone() }
+        };
+        let feeds: Vec<_> = program.networks[network].inputs.iter().map(feed).collect();
+        Self::fed_by(program, network, &feeds)
+    }
+
+    /// A network whose inputs are fed by sensors with ranges and failures of their own.
+    pub fn fed_by(program: &Program, network: Id<ir::Network>, feeds: &[Feed]) -> Option<Self> {
+        let network = &program.networks[network];
+        let rules: Vec<&Rule> =
+            network.events.iter().flat_map(|event| event.contributor.iter().chain(&event.detractor)).collect();
+        let inputs = network.inputs.iter().zip(feeds).enumerate().map(|(position, (input, feed))| {
+            let clauses = rules.iter().flat_map(|rule| &rule.clauses);
+            let named = clauses.filter(|clause| clause.input as usize == position);
+            let mut literals: Vec<Literal> = named.flat_map(|clause| &clause.any_of).copied().collect();
+            literals.sort_unstable();
+            literals.dedup();
+            Input::new(&program.variables[input.variable], literals, feed)
+        });
+        let inputs: Vec<Input> = inputs.collect::<Option<_>>()?;
+        let event = |event: &ir::Event| EventModel::new(&event.contributor, &event.detractor, &inputs);
+        let events = network.events.iter().map(event).collect();
+        Some(Self { inputs, events })
+    }
+
+    /// Every set of at most `up_to` failures, smallest first.
+    pub fn fault_sets(&self, up_to: usize) -> Vec<FaultSet> {
+        fault_sets(self.inputs.iter().map(|input| input.fails.as_slice()), up_to)
+    }
+
+    /// The state of every input under some failures. An unknown constant can be what a healthy sensor can be.
+    pub(super) fn states(&self, faults: &FaultSet) -> Vec<usize> {
+        let mut states = vec![0; self.inputs.len()];
+        for fault in faults {
+            let declared = self.inputs.get(fault.input).and_then(|input| {
+                input.fails.iter().position(|fail| *fail == fault.reading && *fail != FailReading::Any)
+            });
+            if let (Some(state), Some(position)) = (states.get_mut(fault.input), declared) {
+                *state = position + 1;
+            }
+        }
+        states
+    }
+}
+
+impl Input {
+    fn new(variable: &ir::Variable, literals: Vec<Literal>, feed: &Feed) -> Option<Self> {
+        let (low, high) = feed.range;
+        let shapes: Vec<_> = variable.terms.iter().map(|term| &term.shape).collect();
+        let known = literals.iter().all(|literal| (literal.term as usize) < shapes.len());
+        if low > high || !known || !shapes.iter().all(|shape| breakpoints::in_order(shape)) {
+            return None;
+        }
+        let pi = if low.is_zero() { high.pi_power() } else { low.pi_power() };
+        let curve = |literal: &Literal| Curve::new(shapes[literal.term as usize], literal.negated, pi);
+        let curves: Vec<_> = literals.iter().map(curve).collect();
+        let range = (low.to_fraction(pi), high.to_fraction(pi));
+        let failed = feed.fails.iter().map(|&fail| Sensor::failed(&curves, &range, fail, pi));
+        let sensors = std::iter::once(Sensor::healthy(&curves, &range)).chain(failed).collect();
+        Some(Self { pi, literals, fails: feed.fails.clone(), sensors })
+    }
+}
+
+impl EventModel {
+    pub(super) fn new(contributor: &[Rule], detractor: &[Rule], inputs: &[Input]) -> Self {
+        let mut uses: Vec<Use> = Vec::new();
+        let mut unconditional = Vec::new();
+        for (rule, written) in contributor.iter().chain(detractor).enumerate() {
+            if written.clauses.is_empty() {
+                unconditional.push(rule);
+            }
+            for clause in &written.clauses {
+                let input = clause.input as usize;
+                let known = &inputs[input].literals;
+                let literals = clause.any_of.iter().filter_map(|literal| known.binary_search(literal).ok());
+                let literals: Vec<_> = literals.collect();
+                let position = uses.iter().position(|known| known.input == input).unwrap_or_else(|| {
+                    uses.push(Use { input, choices: Vec::new(), slices: Vec::new() });
+                    uses.len() - 1
+                });
+                let choices = &mut uses[position].choices;
+                match choices.iter_mut().find(|choice| choice.literals == literals) {
+                    Some(choice) => choice.rules.push(rule),
+                    None => choices.push(Choice { literals, rules: vec![rule] }),
+                }
+            }
+        }
+        uses.sort_unstable_by_key(|named| named.input);
+        for named in &mut uses {
+            let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
+            named.slices = inputs[named.input].sensors.iter().map(|sensor| Slices::new(sensor, &choices)).collect();
+        }
+        Self { contributors: contributor.len(), rules: contributor.len() + detractor.len(), unconditional, uses }
+    }
+
+    /// The levels at which to look, gaps first and wide ones before narrow ones, then heights.
+    pub(super) fn levels(&self, states: &[usize]) -> Vec<Level> {
+        let mut heights = vec![Fraction::ZERO, Fraction::ONE];
+        for named in &self.uses {
+            heights.extend(named.slices[states[named.input]].heights.iter().cloned());
+        }
+        heights.sort_unstable();
+        heights.dedup();
+        let mut gaps: Vec<_> = heights.windows(2).map(|pair| (&pair[1] - &pair[0], &pair[0], &pair[1])).collect();
+        gaps.sort_by(|one, other| other.0.cmp(&one.0));
+        let gaps = gaps.into_iter().map(|(_, from, to)| (from.clone(), Some(from.halfway(to))));
+        let gaps: Vec<_> = gaps.collect();
+        let levels = gaps.into_iter().chain(heights.into_iter().map(|height| (height, None)));
+        levels
+            .map(|(height, halfway)| {
+                let is_gap = halfway.is_some();
+                Level { value: halfway.unwrap_or_else(|| height.clone()), height, is_gap }
+            })
+            .collect()
+    }
+}
+
+/// A level to look at: a height, or one that stands for the gap above a height.
+#[derive(Debug, Clone)]
+pub(super) struct Level {
+    pub(super) height: Fraction,
+    pub(super) is_gap: bool,
+    pub(super) value: Fraction,
+}
