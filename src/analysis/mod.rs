@@ -3,7 +3,7 @@
 //! Everything is decided exactly, in rational arithmetic.
 //!
 //! Imports: base, diag, ir
-//! Crates: petgraph
+//! Crates: batsat, petgraph
 
 mod breakpoints;
 mod coverage;

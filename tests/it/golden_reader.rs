@@ -66,8 +66,26 @@ fn case(net: &Value, input: usize, variable: &Value, fault: &Value) -> Case {
     Case { name: format!("{}:{detail}", variable["name"].as_str().unwrap()), alternatives }
 }
 
+/// The network with five failures for each input: stuck at two readings, at an unknown one, absent, and stuck at the
+/// end of its range.
+pub fn with_every_failure(net: &Value) -> Program {
+    let mut program = program(net);
+    for (input, variable) in net["variables"].as_array().unwrap().iter().enumerate() {
+        let faults = variable["faults"].as_array().unwrap().iter();
+        let stuck =
+            faults.filter(|fault| fault["kind"] == "stuck").map(|fault| FailReading::Value(number(&fault["value"])));
+        let stuck: Vec<_> = stuck.collect();
+        for reading in
+            stuck.into_iter().chain([FailReading::Any, FailReading::Absent, FailReading::Value(range(variable).1)])
+        {
+            fails(&mut program, input, reading);
+        }
+    }
+    program
+}
+
 /// Lets an input fail in one more way.
-pub fn fails(program: &mut Program, input: usize, reading: FailReading) {
+fn fails(program: &mut Program, input: usize, reading: FailReading) {
     let variable = program.networks[Id::new(0)].inputs[input].variable;
     program.variables[variable].fails.push(reading);
 }

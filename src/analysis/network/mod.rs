@@ -8,14 +8,21 @@ mod curve;
 mod event;
 mod faults;
 mod fold;
+mod implication;
+mod joint;
+mod joint_bounds;
+mod linear;
 mod model;
 mod question;
 mod sensor;
 mod slices;
+mod solver;
+mod strength;
 mod witness;
 
 pub use event::{EventFacts, RuleFacts, Verdict};
 pub use faults::{Fault, FaultSet, fault_sets};
+pub use joint::Valuation;
 pub use model::{Feed, Model};
 pub use witness::{Reading, Witness};
 
@@ -56,5 +63,11 @@ impl Model {
             NetworkFacts { faults, events }
         });
         facts.collect()
+    }
+
+    /// Which statuses the events can have together under the failures that some facts are about, sorted. An event with
+    /// memory can also have a status from before.
+    pub fn valuations(&self, facts: &NetworkFacts) -> Vec<Valuation> {
+        joint::valuations(self, &self.states(&facts.faults), facts.events.iter().map(Arc::as_ref))
     }
 }

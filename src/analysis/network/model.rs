@@ -170,6 +170,19 @@ impl EventModel {
         Self { contributors: contributor.len(), rules: contributor.len() + detractor.len(), unconditional, uses }
     }
 
+    /// The clauses of every rule: an input and the literals of which the largest degree counts.
+    pub(super) fn clauses(&self) -> Vec<Vec<(usize, &[usize])>> {
+        let mut clauses = vec![Vec::new(); self.rules];
+        for named in &self.uses {
+            for choice in &named.choices {
+                for &rule in &choice.rules {
+                    clauses[rule].push((named.input, choice.literals.as_slice()));
+                }
+            }
+        }
+        clauses
+    }
+
     /// The levels at which to look, gaps first and wide ones before narrow ones, then heights.
     pub(super) fn levels(&self, states: &[usize]) -> Vec<Level> {
         let mut heights = vec![Fraction::ZERO, Fraction::ONE];

@@ -1,13 +1,14 @@
 //! Readings that show that something can happen.
 
+use super::faults::FaultSet;
 use super::model::{EventModel, Level, Model};
 use super::slices;
 use crate::base::Fraction;
 
-/// One reading for each input of a network.
+/// Readings of a network's inputs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Witness {
-    /// In the order of the inputs; none for a sensor that gives no reading.
+    /// In the order of the inputs; none for a sensor that gives no reading, or one that does not matter.
     pub readings: Vec<Option<Reading>>,
 }
 
@@ -28,9 +29,9 @@ impl Reading {
 }
 
 impl Model {
-    /// The readings for one pattern of each input that an event uses, at a level. The other inputs read what they may.
+    /// The readings for one pattern of each input that an event uses, at a level. Only these matter.
     pub(super) fn witness(&self, event: &EventModel, states: &[usize], level: &Level, patterns: &[usize]) -> Witness {
-        let mut readings = self.anything(states);
+        let mut readings = vec![None; self.inputs.len()];
         for (named, &pattern) in event.uses.iter().zip(patterns) {
             let (state, input) = (states[named.input], &self.inputs[named.input]);
             let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
@@ -41,14 +42,19 @@ impl Model {
         Witness { readings }
     }
 
-    /// The middle of what every input can read.
-    pub(super) fn anything(&self, states: &[usize]) -> Vec<Option<Reading>> {
-        let middle = |(input, &state): (&super::model::Input, &usize)| {
+    /// A witness with a reading for each input that can give one under some failures: where it does not matter, the
+    /// middle of what there can be.
+    pub fn complete(&self, faults: &FaultSet, witness: &Witness) -> Witness {
+        self.complete_in(&self.states(faults), witness)
+    }
+
+    pub(super) fn complete_in(&self, states: &[usize], witness: &Witness) -> Witness {
+        let readings = self.inputs.iter().zip(states).zip(&witness.readings).map(|((input, &state), reading)| {
             let cells = &input.sensors[state].cells;
             let (low, _) = cells.first()?.ends.as_ref()?;
             let (_, high) = cells.last()?.ends.as_ref()?;
-            Some(Reading { fraction: low.halfway(high), pi: input.pi })
-        };
-        self.inputs.iter().zip(states).map(middle).collect()
+            reading.clone().or_else(|| Some(Reading { fraction: low.halfway(high), pi: input.pi }))
+        });
+        Witness { readings: readings.collect() }
     }
 }

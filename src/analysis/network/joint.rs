@@ -1,0 +1,204 @@
+//! Which events of a network can be set together, exactly.
+//!
+//! An event is set where some level lies strictly between its detractor and its contributor, and clear where some level
+//! lies between them the other way round, ends included. A propositional solver chooses a cell for each input, a status
+//! for each event, and *bounds*: literals above or below the event's level that make it so. Bounds whose cells lie on
+//! one side of the level for sure are settled by where the level lies among the ends of cells; the rest are linear
+//! inequalities between an input's place in its cell and a level. They are decided by elimination, and what
+//! contradicts itself is handed back as a clause. There is no grid of levels: two levels cut a cell by slanted lines.
+
+use super::event::{EventFacts, Verdict};
+use super::implication::implies;
+use super::joint_bounds::{Bound, Bounds, Side};
+use super::linear::{self, Inequality};
+use super::model::{EventModel, Model};
+use super::solver::{Proposition, Solver};
+use super::witness::{Reading, Witness};
+use crate::base::Fraction;
+
+/// Statuses that events can have together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Valuation {
+    /// Whether each event is set, in order.
+    pub set: Vec<bool>,
+    /// Readings at which it is so.
+    pub witness: Witness,
+}
+
+/// The valuations that are possible in some states of the inputs, sorted. What is known of each event alone is a start.
+pub(super) fn valuations<'a>(
+    model: &Model,
+    states: &[usize],
+    facts: impl IntoIterator<Item = &'a EventFacts>,
+) -> Vec<Valuation> {
+    let mut search = Search::new(model, states);
+    for (facts, set) in facts.into_iter().zip(search.set.clone()) {
+        for (verdict, status) in [(&facts.set, set), (&facts.clear, !set)] {
+            if !verdict.is_possible() {
+                search.solver.demand([!status]);
+            }
+        }
+        for witness in [&facts.set, &facts.clear, &facts.tie, &facts.dead].into_iter().filter_map(Verdict::witness) {
+            let witness = model.complete_in(states, witness);
+            search.found(model.flags(states, &witness), witness);
+        }
+    }
+    search.run();
+    search.valuations.sort_by(|one, other| one.set.cmp(&other.set));
+    search.valuations
+}
+
+struct Search<'a> {
+    model: &'a Model,
+    states: &'a [usize],
+    solver: Solver,
+    bounds: Bounds,
+    /// Whether each event is set.
+    set: Vec<Proposition>,
+    valuations: Vec<Valuation>,
+}
+
+impl<'a> Search<'a> {
+    fn new(model: &'a Model, states: &'a [usize]) -> Self {
+        let mut solver = Solver::default();
+        let set: Vec<_> = model.events.iter().map(|_| solver.proposition()).collect();
+        for (premise, &holds) in model.events.iter().zip(&set) {
+            for (conclusion, &follows) in model.events.iter().zip(&set) {
+                if holds != follows && implies(premise, conclusion) {
+                    solver.demand([!holds, follows]);
+                }
+            }
+        }
+        let bounds = Bounds::new(model, states, &mut solver);
+        let mut search = Self { model, states, solver, bounds, set, valuations: Vec::new() };
+        for (position, event) in model.events.iter().enumerate() {
+            search.demand_event(position, event);
+        }
+        search
+    }
+
+    /// Some contributor rule is high and every detractor rule low while the event is set; the other way round while it
+    /// is clear.
+    fn demand_event(&mut self, position: usize, event: &EventModel) {
+        let clauses = event.clauses();
+        let (contributors, detractors) = clauses.split_at(event.contributors);
+        for (is_set, high, low) in [(true, contributors, detractors), (false, detractors, contributors)] {
+            let status = if is_set { self.set[position] } else { !self.set[position] };
+            let mut some_high = vec![!status];
+            if !is_set {
+                // A level of 0 is reached by an empty side too.
+                some_high.push(self.bounds.constant(&mut self.solver, position, Side::Above, is_set, Fraction::ZERO));
+            }
+            for rule in high {
+                let all = self.solver.proposition();
+                for (input, literals) in rule {
+                    let any = literals.iter().map(|&literal| {
+                        self.bounds.literal(&mut self.solver, position, Side::Above, is_set, (*input, literal))
+                    });
+                    let any: Vec<_> = any.chain([!all]).collect();
+                    self.solver.demand(any);
+                }
+                if rule.is_empty() {
+                    let one = self.bounds.constant(&mut self.solver, position, Side::Above, is_set, Fraction::ONE);
+                    self.solver.demand([!all, one]);
+                }
+                some_high.push(all);
+            }
+            self.solver.demand(some_high);
+            for rule in low {
+                let mut some_low = vec![!status];
+                for (input, literals) in rule {
+                    let all = self.solver.proposition();
+                    for &literal in *literals {
+                        let below =
+                            self.bounds.literal(&mut self.solver, position, Side::Below, is_set, (*input, literal));
+                        self.solver.demand([!all, below]);
+                    }
+                    if literals.is_empty() {
+                        let zero =
+                            self.bounds.constant(&mut self.solver, position, Side::Below, is_set, Fraction::ZERO);
+                        self.solver.demand([!all, zero]);
+                    }
+                    some_low.push(all);
+                }
+                if rule.is_empty() {
+                    let one = self.bounds.constant(&mut self.solver, position, Side::Below, is_set, Fraction::ONE);
+                    some_low.push(one);
+                }
+                self.solver.demand(some_low);
+            }
+        }
+    }
+
+    fn run(&mut self) {
+        while self.solver.holds(&[]) {
+            let set: Vec<_> = self.set.iter().map(|&set| self.solver.value(set)).collect();
+            let (inequalities, reasons) = self.inequalities(&set);
+            match linear::solve(self.bounds.unknowns(), inequalities) {
+                Ok(values) => {
+                    let witness = self.witness(&values);
+                    self.found(set, witness);
+                }
+                Err(because) => {
+                    let mut clause: Vec<_> = because.iter().flat_map(|&reason| &reasons[reason]).map(|&p| !p).collect();
+                    clause.sort_unstable();
+                    clause.dedup();
+                    self.solver.demand(clause);
+                }
+            }
+        }
+    }
+
+    fn found(&mut self, set: Vec<bool>, witness: Witness) {
+        if self.valuations.iter().all(|known| known.set != set) {
+            let other = self.set.iter().zip(&set).map(|(&status, &set)| if set { !status } else { status });
+            let other: Vec<_> = other.collect();
+            self.solver.demand(other);
+            self.valuations.push(Valuation { set, witness });
+        }
+    }
+
+    /// What the bounds of the model found last say of places and levels, with the propositions each follows from.
+    fn inequalities(&self, set: &[bool]) -> (Vec<Inequality>, Vec<Vec<Proposition>>) {
+        let mut inequalities = self.bounds.domains();
+        let mut reasons = Vec::new();
+        for bound in &self.bounds.all {
+            if bound.when_set == set[bound.event] && self.solver.value(bound.proposition) {
+                let (inequality, reason) = self.inequality(bound, reasons.len());
+                inequalities.push(inequality);
+                reasons.push(reason);
+            }
+        }
+        (inequalities, reasons)
+    }
+
+    fn inequality(&self, bound: &Bound, number: usize) -> (Inequality, Vec<Proposition>) {
+        let mut reason = vec![bound.proposition];
+        let level = self.bounds.level(bound.event);
+        let (constant, slope) = match bound.literal {
+            None => (bound.constant.clone(), None),
+            Some((input, literal)) => {
+                let chosen = self.bounds.chosen(&self.solver, input);
+                reason.extend(self.bounds.cells[input].get(chosen));
+                let (from, to) = &self.model.inputs[input].sensors[self.states[input]].cells[chosen].degrees[literal];
+                (from.clone(), Some((input, to - from)).filter(|(_, slope)| !slope.is_zero()))
+            }
+        };
+        let above = [(level, Fraction::from(-1))];
+        let mut factors: Vec<_> = slope.into_iter().chain(above).collect();
+        let mut constant = constant;
+        if bound.side == Side::Below {
+            constant = -&constant;
+            factors.iter_mut().for_each(|(_, factor)| *factor = -&*factor);
+        }
+        (Inequality { factors, constant, strict: bound.when_set, because: vec![number] }, reason)
+    }
+
+    fn witness(&self, values: &[Fraction]) -> Witness {
+        let readings = self.model.inputs.iter().enumerate().map(|(position, input)| {
+            let cell = &input.sensors[self.states[position]].cells[self.bounds.chosen(&self.solver, position)];
+            Some(Reading { fraction: cell.reading(&values[position])?, pi: input.pi })
+        });
+        Witness { readings: readings.collect() }
+    }
+}

@@ -1,0 +1,154 @@
+//! Linear inequalities in exact fractions, decided by eliminating one unknown after another (Fourier and Motzkin).
+//!
+//! Made for inequalities with at most two unknowns each, which elimination keeps so.
+
+use std::collections::HashMap;
+
+use crate::base::Fraction;
+
+/// A sum of multiples of unknowns and a constant, above 0, or at least 0.
+#[derive(Debug, Clone)]
+pub(super) struct Inequality {
+    /// By unknown, ascending; no factor is 0.
+    pub(super) factors: Vec<(usize, Fraction)>,
+    pub(super) constant: Fraction,
+    pub(super) strict: bool,
+    /// What it follows from, ascending.
+    pub(super) because: Vec<usize>,
+}
+
+impl Inequality {
+    /// The sum of two of them, weighted so that an unknown falls out: `positive` has a positive factor of it, `negative`
+    /// a negative one.
+    fn without(unknown: usize, positive: &Self, negative: &Self) -> Self {
+        let (up, down) = (negative.factor(unknown), positive.factor(unknown));
+        let (up, down) = (-&up, down);
+        let mut factors: Vec<(usize, Fraction)> = Vec::new();
+        let scaled = |of: &Self, by: &Fraction| {
+            of.factors.iter().map(|(unknown, factor)| (*unknown, factor * by)).collect::<Vec<_>>()
+        };
+        for (other, factor) in scaled(positive, &up).into_iter().chain(scaled(negative, &down)) {
+            match factors.iter_mut().find(|(known, _)| *known == other) {
+                Some((_, sum)) => *sum = &*sum + &factor,
+                None => factors.push((other, factor)),
+            }
+        }
+        factors.retain(|(_, factor)| !factor.is_zero());
+        factors.sort_unstable_by_key(|(unknown, _)| *unknown);
+        let mut because = [positive.because.as_slice(), &negative.because].concat();
+        because.sort_unstable();
+        because.dedup();
+        let constant = &(&positive.constant * &up) + &(&negative.constant * &down);
+        Self { factors, constant, strict: positive.strict || negative.strict, because }
+    }
+
+    fn factor(&self, unknown: usize) -> Fraction {
+        let found = self.factors.iter().find(|(known, _)| *known == unknown);
+        found.map_or(Fraction::ZERO, |(_, factor)| factor.clone())
+    }
+
+    /// Divided by the size of its first factor.
+    fn normal(mut self) -> Self {
+        if let Some((_, first)) = self.factors.first() {
+            let size = if first.is_negative() { -first } else { first.clone() };
+            let divided = |number: &Fraction| number.over(&size).unwrap_or(Fraction::ZERO);
+            self.constant = divided(&self.constant);
+            self.factors = self.factors.iter().map(|(unknown, factor)| (*unknown, divided(factor))).collect();
+        }
+        self
+    }
+
+    fn is_false(&self) -> bool {
+        self.factors.is_empty() && (self.constant.is_negative() || self.strict && self.constant.is_zero())
+    }
+
+    /// The bound it sets on an unknown when all others in it are known.
+    fn bound(&self, unknown: usize, values: &[Fraction]) -> Fraction {
+        let others = self.factors.iter().filter(|(other, _)| *other != unknown);
+        let rest = others.fold(self.constant.clone(), |sum, (other, factor)| &sum + &(factor * &values[*other]));
+        (-&rest).over(&self.factor(unknown)).unwrap_or(Fraction::ZERO)
+    }
+}
+
+/// Values for unknowns `0..unknowns` that meet all inequalities, each halfway between its bounds; or why there are none:
+/// what some inequalities that contradict each other follow from. Every unknown must be bounded on both sides.
+pub(super) fn solve(unknowns: usize, inequalities: Vec<Inequality>) -> Result<Vec<Fraction>, Vec<usize>> {
+    let mut rest = tightest(inequalities)?;
+    let mut bounds = Vec::with_capacity(unknowns);
+    for unknown in 0..unknowns {
+        let (bounding, others): (Vec<_>, Vec<_>) =
+            rest.into_iter().partition(|inequality| !inequality.factor(unknown).is_zero());
+        let (upper, lower): (Vec<_>, Vec<_>) =
+            bounding.into_iter().partition(|inequality| inequality.factor(unknown).is_negative());
+        let pairs = lower.iter().flat_map(|lower| upper.iter().map(move |upper| (lower, upper)));
+        let combined = pairs.map(|(lower, upper)| Inequality::without(unknown, lower, upper));
+        rest = tightest(combined.chain(others))?;
+        bounds.push((lower, upper));
+    }
+    let mut values = vec![Fraction::ZERO; unknowns];
+    for (unknown, (lower, upper)) in bounds.iter().enumerate().rev() {
+        let low = lower.iter().map(|inequality| inequality.bound(unknown, &values)).max();
+        let high = upper.iter().map(|inequality| inequality.bound(unknown, &values)).min();
+        values[unknown] = match (low, high) {
+            (Some(low), Some(high)) => low.halfway(&high),
+            (Some(one), None) | (None, Some(one)) => one,
+            (None, None) => Fraction::ZERO,
+        };
+    }
+    Ok(values)
+}
+
+/// The inequalities without those that a parallel one makes needless.
+fn tightest(inequalities: impl IntoIterator<Item = Inequality>) -> Result<Vec<Inequality>, Vec<usize>> {
+    let mut kept: Vec<Inequality> = Vec::new();
+    let mut positions: HashMap<Vec<(usize, Fraction)>, usize> = HashMap::new();
+    for inequality in inequalities {
+        if inequality.is_false() {
+            return Err(inequality.because);
+        }
+        if inequality.factors.is_empty() {
+            continue;
+        }
+        let inequality = inequality.normal();
+        let position = *positions.entry(inequality.factors.clone()).or_insert(kept.len());
+        match kept.get_mut(position) {
+            None => kept.push(inequality),
+            Some(known) => {
+                if (&inequality.constant, known.strict) < (&known.constant, inequality.strict) {
+                    *known = inequality;
+                }
+            }
+        }
+    }
+    Ok(kept)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn inequality(factors: &[(usize, i128)], constant: i128, strict: bool, because: usize) -> Inequality {
+        let factors = factors.iter().map(|&(unknown, factor)| (unknown, Fraction::from(factor))).collect();
+        Inequality { factors, constant: Fraction::from(constant), strict, because: vec![because] }
+    }
+
+    #[test]
+    fn a_point_is_found_or_a_contradiction() {
+        // 0 < x, x + y <= 4, y > 2 x, y <= 3
+        let mut system = vec![
+            inequality(&[(0, 1)], 0, true, 0),
+            inequality(&[(0, -1), (1, -1)], 4, false, 1),
+            inequality(&[(0, -2), (1, 1)], 0, true, 2),
+            inequality(&[(1, -1)], 3, false, 3),
+        ];
+        let values = solve(2, system.clone()).unwrap();
+        for inequality in &system {
+            let sum = inequality.factors.iter().map(|(unknown, factor)| &values[*unknown] * factor);
+            let sum = sum.fold(inequality.constant.clone(), |sum, part| &sum + &part);
+            assert!(!sum.is_negative() && !(inequality.strict && sum.is_zero()), "{values:?}");
+        }
+        // x >= 4/3 touches y > 2 x and x + y <= 4 in one point that the strict one leaves out.
+        system.push(inequality(&[(0, 3)], -4, false, 4));
+        assert_eq!(solve(2, system).unwrap_err(), [1, 2, 4]);
+    }
+}
