@@ -1,5 +1,12 @@
 //! How long a network's facts take.
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, reason = "benches")]
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::disallowed_methods,
+    reason = "a bench without its input has nothing to measure"
+)]
 
 use std::hint::black_box;
 

@@ -132,8 +132,14 @@ pub fn program(net: &Value) -> Program {
             terms.map(|term| Term { symbol: symbol(&term["name"]), shape: shape(term), shape_span: Span::default() });
         let range = range(variable);
         let symbol = symbol(&variable["name"]);
-        let declared =
-            Variable { symbol: symbol.clone(), unit: Unit::one(), range, fails: Vec::new(), terms: terms.collect() };
+        let declared = Variable {
+            symbol: symbol.clone(),
+            unit: Unit::one(),
+            range,
+            fails: Vec::new(),
+            terms: terms.collect(),
+            incomplete: false,
+        };
         inputs.push(NetworkInput { symbol, variable: program.variables.add(declared) });
     }
     let events = net["events"].as_array().unwrap().iter().map(|event| Event {

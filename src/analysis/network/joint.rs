@@ -189,7 +189,9 @@ impl<'a> Search<'a> {
         let mut constant = constant;
         if bound.side == Side::Below {
             constant = -&constant;
-            factors.iter_mut().for_each(|(_, factor)| *factor = -&*factor);
+            for (_, factor) in &mut factors {
+                *factor = -&*factor;
+            }
         }
         (Inequality { factors, constant, strict: bound.when_set, because: vec![number] }, reason)
     }
