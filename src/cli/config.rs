@@ -9,7 +9,6 @@ use toml::Spanned;
 use super::terminal::Terminal;
 use crate::base::{Sources, Span};
 use crate::diag::{self, Diagnostic, Level, Levels, RULES, find_rule, rules};
-use crate::report;
 
 const NAME: &str = "lmsl.toml";
 
@@ -30,7 +29,7 @@ pub(super) fn levels(file: &str, terminal: &Terminal) -> Result<Levels, u8> {
     let path = path.to_string_lossy().into_owned();
     let text = super::files::read(&path, terminal)?;
     parse(&path, &text).map_err(|(findings, sources)| {
-        terminal.note(report::human(&findings, &sources, terminal.color_err).trim_end());
+        terminal.errors(&findings, &sources);
         super::USAGE
     })
 }

@@ -22,7 +22,7 @@ pub(super) struct Eval {
     /// The network
     network: String,
     /// Readings, as in `left=-1.2 force=115`, in the units of the network's variables
-    #[arg(value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    #[arg(value_name = "NAME=VALUE")]
     readings: Vec<String>,
     /// Evaluate every row of a CSV of readings in SI, `-` for standard input, and print a CSV
     #[arg(long, value_name = "PATH", conflicts_with = "readings")]

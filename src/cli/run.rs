@@ -103,10 +103,7 @@ impl Run {
             }
             (None, [scenario]) => Ok(scenario),
             (None, []) => {
-                terminal.note(
-                    report::human(&[no_scenario(analysis, &self.file)], &analysis.sources, terminal.color_err)
-                        .trim_end(),
-                );
+                terminal.errors(&[no_scenario(analysis, &self.file)], &analysis.sources);
                 Err(super::USAGE)
             }
             (None, _) => {

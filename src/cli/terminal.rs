@@ -3,6 +3,7 @@
 use std::io::{IsTerminal, Write};
 
 use super::When;
+use crate::base::Sources;
 use crate::diag::{Diagnostic, Severity, rules};
 use crate::driver::Analysis;
 use crate::report;
@@ -56,6 +57,11 @@ impl Terminal {
             eprintln!("  = help: {help}");
         }
         super::USAGE
+    }
+
+    /// Findings that keep the command from being carried out, on standard error.
+    pub(super) fn errors(&self, findings: &[Diagnostic], sources: &Sources) {
+        eprintln!("{}", report::human(findings, sources, self.color_err).trim_end());
     }
 
     /// Findings for people, on standard error; only errors when quiet.
