@@ -149,10 +149,11 @@ impl<'a> Lower<'a> {
         candidates: impl IntoIterator<Item = &'s str, IntoIter: Clone>,
     ) -> Diagnostic {
         let candidates = candidates.into_iter();
-        let room = self.comparisons.get();
-        let left = if room == 0 { None } else { room.checked_sub(candidates.clone().count()) };
-        self.comparisons.set(left.unwrap_or(0));
-        let help = left.and_then(|_| diag::did_you_mean(&name.text, candidates.clone()).or_else(|| known(candidates)));
+        // The upper bound counts what a filter leaves out too: looking at it costs as much.
+        let room = self.comparisons.get().checked_sub(candidates.size_hint().1.unwrap_or(usize::MAX));
+        self.comparisons.set(room.unwrap_or(0));
+        let near = || diag::did_you_mean(&name.text, candidates.clone()).or_else(|| known(candidates.clone()));
+        let help = room.and_then(|_| near());
         let message = format!("no {what} is named `{}`", name.text);
         Diagnostic::new(&diag::rules::UNKNOWN_NAME, name.span, message).help_maybe(help)
     }

@@ -9,6 +9,7 @@ mod docs;
 mod examples;
 mod golden;
 mod golden_reader;
+mod limits;
 mod pages;
 mod sessions;
 mod support;
