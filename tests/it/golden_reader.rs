@@ -85,7 +85,7 @@ pub fn with_every_failure(net: &Value) -> Program {
 }
 
 /// Lets an input fail in one more way.
-fn fails(program: &mut Program, input: usize, reading: FailReading) {
+pub fn fails(program: &mut Program, input: usize, reading: FailReading) {
     let variable = program.networks[Id::new(0)].inputs[input].variable;
     program.variables[variable].fails.push(reading);
 }

@@ -10,6 +10,7 @@ mod examples;
 mod golden;
 mod golden_reader;
 mod limits;
+mod network;
 mod pages;
 mod sessions;
 mod support;

@@ -1,9 +1,9 @@
 //! All that is asked of one event.
 
-use super::fold::Fold;
-use super::model::{EventModel, Level, Model};
-use super::question::{Condition, Question};
-use super::witness::Witness;
+use super::engine::{Method, engine};
+use super::model::{EventModel, Model};
+use super::question::Question;
+use super::witness::{Readings, Witness};
 
 /// Whether something can happen.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,41 +58,14 @@ pub struct RuleFacts {
     pub decisive: Verdict,
 }
 
-/// Decides conditions at levels.
-pub(super) trait Engine {
-    /// One pattern for each input in use such that a condition holds at the level with that index.
-    fn find(&mut self, level: usize, condition: &Condition) -> Option<Vec<usize>>;
-}
-
-impl<const N: usize> Engine for Fold<'_, N> {
-    fn find(&mut self, level: usize, condition: &Condition) -> Option<Vec<usize>> {
-        self.find(level, condition)
-    }
-}
-
 impl EventFacts {
-    pub(super) fn new(model: &Model, event: &EventModel, states: &[usize]) -> Self {
+    pub(super) fn new(model: &Model, event: &EventModel, states: &[usize], method: Method) -> Self {
         let levels = event.levels(states);
-        let levels = levels.as_slice();
-        if event.rules <= Fold::<1>::MOST_RULES {
-            Self::ask(model, event, states, levels, &mut Fold::<1>::new(event, states, levels))
-        } else {
-            Self::ask(model, event, states, levels, &mut Fold::<8>::new(event, states, levels))
-        }
-    }
-
-    fn ask(model: &Model, event: &EventModel, states: &[usize], levels: &[Level], engine: &mut impl Engine) -> Self {
+        let mut engine = engine(method, event, states, &levels);
+        let mut readings = Readings::new(model, event, states, &levels);
         let mut decide = |question: Question| {
-            for condition in question.conditions(event) {
-                for (index, level) in levels.iter().enumerate() {
-                    if condition.levels.hold(level)
-                        && let Some(patterns) = engine.find(index, &condition)
-                    {
-                        return Verdict::Possible(model.witness(event, states, level, &patterns));
-                    }
-                }
-            }
-            Verdict::Never
+            let found = question.conditions(event).iter().find_map(|condition| engine.find(condition));
+            found.map_or(Verdict::Never, |found| Verdict::Possible(readings.witness(&found)))
         };
         let [set, clear, tie, dead] = [Question::Set, Question::Clear, Question::Tie, Question::Dead].map(&mut decide);
         let mut facts = (0..event.rules).map(|rule| RuleFacts {

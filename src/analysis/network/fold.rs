@@ -1,8 +1,10 @@
 //! The engine for few inputs: every reachable comparison of all rules with a level, folded input by input.
 
+use super::engine::{Engine, Found};
 use super::model::{EventModel, Level};
 use super::question::{Condition, Rules};
 use super::slices::Pattern;
+use crate::base::Fraction;
 
 /// The most inputs this engine takes.
 pub(super) const MOST_INPUTS: usize = 6;
@@ -55,9 +57,6 @@ pub(super) struct Fold<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Fold<'a, N> {
-    /// How many rules fit.
-    pub(super) const MOST_RULES: usize = 64 * N;
-
     pub(super) fn new(event: &'a EventModel, states: &'a [usize], levels: &'a [Level]) -> Self {
         let choices = event
             .uses
@@ -74,10 +73,10 @@ impl<'a, const N: usize> Fold<'a, N> {
     }
 
     fn fold(&self, level: &Level) -> Vec<Reached<N>> {
-        let not_above = if level.value == crate::base::Fraction::ONE { self.unconditional } else { Mask::EMPTY };
+        let not_above = if level.value == Fraction::ONE { self.unconditional } else { Mask::EMPTY };
         let mut reached = vec![Reached { below: Mask::EMPTY, not_above, patterns: [0; MOST_INPUTS] }];
         for (position, (named, choices)) in self.event.uses.iter().zip(&self.choices).enumerate() {
-            let patterns = named.slices[self.states[named.input]].at(&level.height, level.is_gap);
+            let patterns = named.patterns(self.states, level);
             let masks: Vec<_> = patterns.iter().map(|pattern| masks(pattern, choices)).collect();
             let mut next = Vec::with_capacity(reached.len() * masks.len());
             for so_far in &reached {
@@ -94,25 +93,33 @@ impl<'a, const N: usize> Fold<'a, N> {
         }
         reached
     }
+}
 
-    /// One pattern for each input in use such that a condition holds at a level.
-    pub(super) fn find(&mut self, index: usize, condition: &Condition) -> Option<Vec<usize>> {
-        let level = &self.levels[index];
-        if self.reached[index].is_none() {
-            self.reached[index] = Some(self.fold(level));
-        }
-        let mask = |rules: Rules| Mask::<N>::of(rules.of(self.event));
+impl<const N: usize> Engine for Fold<'_, N> {
+    fn find(&mut self, condition: &Condition) -> Option<Found> {
+        let event = self.event;
+        let mask = |rules: Rules| Mask::<N>::of(rules.of(event));
         let mask_or_empty = |rules: Option<Rules>| rules.map_or(Mask::EMPTY, mask);
         let (below, none_above) = (mask_or_empty(condition.below), mask_or_empty(condition.none_above));
         let some_above = condition.some_above.map(mask);
-        let some_reach: Vec<_> = condition.reached(level).iter().map(|&rules| mask(rules)).collect();
-        let found = self.reached[index].iter().flatten().find(|reached| {
-            below.within(reached.below)
-                && none_above.within(reached.not_above)
-                && some_above.is_none_or(|rules| !rules.within(reached.not_above))
-                && some_reach.iter().all(|rules| !rules.within(reached.below))
-        })?;
-        Some(found.patterns[..self.event.uses.len()].iter().map(|&pattern| pattern as usize).collect())
+        let some_reach: Vec<_> = condition.some_reach.iter().map(|&rules| mask(rules)).collect();
+        for (index, level) in self.levels.iter().enumerate().filter(|(_, level)| condition.levels.hold(level)) {
+            if self.reached[index].is_none() {
+                self.reached[index] = Some(self.fold(level));
+            }
+            let some_reach = &some_reach[..condition.reached(level).len()];
+            let found = self.reached[index].iter().flatten().find(|reached| {
+                below.within(reached.below)
+                    && none_above.within(reached.not_above)
+                    && some_above.is_none_or(|rules| !rules.within(reached.not_above))
+                    && some_reach.iter().all(|rules| !rules.within(reached.below))
+            });
+            if let Some(found) = found {
+                let patterns = found.patterns[..event.uses.len()].iter().map(|&pattern| pattern as usize).collect();
+                return Some(Found { level: index, patterns });
+            }
+        }
+        None
     }
 }
 

@@ -5,6 +5,7 @@
 //! each other, so what the rules of one event can be at one level is the product of what each input can be.
 
 mod curve;
+mod engine;
 mod event;
 mod faults;
 mod fold;
@@ -14,12 +15,14 @@ mod joint_bounds;
 mod linear;
 mod model;
 mod question;
+mod sat;
 mod sensor;
 mod slices;
 mod solver;
 mod strength;
 mod witness;
 
+pub use engine::Method;
 pub use event::{EventFacts, RuleFacts, Verdict};
 pub use faults::{Fault, FaultSet, fault_sets};
 pub use joint::Valuation;
@@ -50,6 +53,11 @@ pub fn analyze(program: &Program, network: Id<ir::Network>, up_to: usize) -> Vec
 impl Model {
     /// What is known under every set of at most `up_to` failures, smallest sets first.
     pub fn facts(&self, up_to: usize) -> Vec<NetworkFacts> {
+        self.facts_by(Method::Fitting, up_to)
+    }
+
+    /// The same by a method of one's choice; every method gives the same verdicts.
+    pub fn facts_by(&self, method: Method, up_to: usize) -> Vec<NetworkFacts> {
         let mut known: HashMap<(usize, Vec<usize>), Arc<EventFacts>> = HashMap::new();
         let facts = self.fault_sets(up_to).into_iter().map(|faults| {
             let states = self.states(&faults);
@@ -57,7 +65,7 @@ impl Model {
                 // What no rule of the event names does not touch it.
                 let touching = event.uses.iter().map(|named| states[named.input]).collect();
                 let facts = known.entry((position, touching));
-                Arc::clone(facts.or_insert_with(|| Arc::new(EventFacts::new(self, event, &states))))
+                Arc::clone(facts.or_insert_with(|| Arc::new(EventFacts::new(self, event, &states, method))))
             });
             let events = events.collect();
             NetworkFacts { faults, events }

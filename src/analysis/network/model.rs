@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::faults::{FaultSet, fault_sets};
 use super::sensor::Sensor;
-use super::slices::Slices;
+use super::slices::{Pattern, Slices};
 use crate::analysis::breakpoints;
 use crate::base::{Exact, Fraction, Id};
 use crate::ir::{self, FailReading, Literal, Program, Rule};
@@ -135,6 +135,13 @@ impl Input {
         let failed = feed.fails.iter().map(|&fail| Sensor::failed(&curves, &range, fail, pi));
         let sensors = std::iter::once(Sensor::healthy(&curves, &range)).chain(failed).collect();
         Some(Self { pi, literals, fails: feed.fails.clone(), sensors })
+    }
+}
+
+impl Use {
+    /// The patterns at a level in some states of the inputs.
+    pub(super) fn patterns(&self, states: &[usize], level: &Level) -> &[Pattern] {
+        self.slices[states[self.input]].at(&level.height, level.is_gap)
     }
 }
 

@@ -16,6 +16,8 @@
 //!
 //! Where "some d not below" stands for a level that is D, 0 will do as well: an empty side has strength 0.
 
+use std::cmp::Ordering;
+
 use super::model::{EventModel, Level};
 
 /// What can be asked of one event. Rules are counted through, contributors first.
@@ -155,5 +157,16 @@ impl Condition {
     /// What must be reached at a level.
     pub(super) fn reached(&self, level: &Level) -> &[Rules] {
         if self.zero_is_reached && level.value.is_zero() { &[] } else { &self.some_reach }
+    }
+
+    /// Whether rules that compare to a level like this meet it.
+    pub(super) fn met(&self, event: &EventModel, level: &Level, signs: &[Ordering]) -> bool {
+        let some = |rules: Rules, meets: fn(Ordering) -> bool| rules.of(event).any(|rule| meets(signs[rule]));
+        let none = |rules: Option<Rules>, meets| rules.is_none_or(|rules| !some(rules, meets));
+        self.levels.hold(level)
+            && self.some_above.is_none_or(|rules| some(rules, Ordering::is_gt))
+            && self.reached(level).iter().all(|&rules| some(rules, Ordering::is_ge))
+            && none(self.below, Ordering::is_ge)
+            && none(self.none_above, Ordering::is_gt)
     }
 }

@@ -1,5 +1,8 @@
 //! Readings that show that something can happen.
 
+use std::collections::HashMap;
+
+use super::engine::Found;
 use super::faults::FaultSet;
 use super::model::{EventModel, Level, Model};
 use super::slices;
@@ -29,19 +32,6 @@ impl Reading {
 }
 
 impl Model {
-    /// The readings for one pattern of each input that an event uses, at a level. Only these matter.
-    pub(super) fn witness(&self, event: &EventModel, states: &[usize], level: &Level, patterns: &[usize]) -> Witness {
-        let mut readings = vec![None; self.inputs.len()];
-        for (named, &pattern) in event.uses.iter().zip(patterns) {
-            let (state, input) = (states[named.input], &self.inputs[named.input]);
-            let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
-            let wanted = &named.slices[state].at(&level.height, level.is_gap)[pattern];
-            let fraction = slices::reading(&input.sensors[state], &choices, &level.value, wanted);
-            readings[named.input] = fraction.map(|fraction| Reading { fraction, pi: input.pi });
-        }
-        Witness { readings }
-    }
-
     /// A witness with a reading for each input that can give one under some failures: where it does not matter, the
     /// middle of what there can be.
     pub fn complete(&self, faults: &FaultSet, witness: &Witness) -> Witness {
@@ -56,5 +46,39 @@ impl Model {
             reading.clone().or_else(|| Some(Reading { fraction: low.halfway(high), pi: input.pi }))
         });
         Witness { readings: readings.collect() }
+    }
+}
+
+/// The readings for patterns at the levels of an event, each found once.
+pub(super) struct Readings<'a> {
+    model: &'a Model,
+    event: &'a EventModel,
+    states: &'a [usize],
+    levels: &'a [Level],
+    /// By level, input in use and pattern.
+    known: HashMap<[usize; 3], Option<Reading>>,
+}
+
+impl<'a> Readings<'a> {
+    pub(super) fn new(model: &'a Model, event: &'a EventModel, states: &'a [usize], levels: &'a [Level]) -> Self {
+        Self { model, event, states, levels, known: HashMap::new() }
+    }
+
+    /// The readings for what an engine found. Only the inputs that the event uses matter.
+    pub(super) fn witness(&mut self, found: &Found) -> Witness {
+        let mut readings = vec![None; self.model.inputs.len()];
+        let level = &self.levels[found.level];
+        for (position, (named, &pattern)) in self.event.uses.iter().zip(&found.patterns).enumerate() {
+            let reading = self.known.entry([found.level, position, pattern]).or_insert_with(|| {
+                let input = &self.model.inputs[named.input];
+                let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
+                let wanted = &named.patterns(self.states, level)[pattern];
+                let sensor = &input.sensors[self.states[named.input]];
+                let fraction = slices::reading(sensor, &choices, &level.value, wanted)?;
+                Some(Reading { fraction, pi: input.pi })
+            });
+            readings[named.input].clone_from(reading);
+        }
+        Witness { readings }
     }
 }
