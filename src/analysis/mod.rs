@@ -8,11 +8,14 @@
 mod breakpoints;
 mod coverage;
 mod exits;
+mod fault_table;
 pub mod network;
 mod priorities;
 mod reachability;
 mod requirements;
 mod support;
+
+pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, fault_table};
 
 use crate::diag::Diagnostic;
 use crate::ir::Program;

@@ -1,6 +1,6 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
-//! Imports: base, diag, driver, interp, ir, plan, report, sim, view
+//! Imports: analysis, base, diag, driver, interp, ir, plan, report, sim, view
 //! Crates: clap, rayon, serde, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
@@ -8,6 +8,7 @@ mod check;
 mod config;
 mod eval;
 mod explain;
+mod faults;
 mod files;
 mod run;
 mod terminal;
@@ -64,6 +65,8 @@ enum Command {
     Test(test::Test),
     /// Evaluate a network on given readings
     Eval(eval::Eval),
+    /// Show what is left of every event under each set of failed sensors
+    Faults(faults::Faults),
     /// Explain a diagnostic, by its code or its name
     Explain(explain::Explain),
 }
@@ -77,6 +80,7 @@ pub fn main() -> ExitCode {
         Command::Run(run) => run.execute(&terminal),
         Command::Test(test) => test.execute(&terminal),
         Command::Eval(eval) => eval.execute(&terminal),
+        Command::Faults(faults) => faults.execute(&terminal),
         Command::Explain(explain) => explain.execute(&terminal),
     })
 }

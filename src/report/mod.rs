@@ -1,11 +1,12 @@
 //! What was found and what happened, for people and for programs: one renderer a file, each a function from values to
 //! text.
 //!
-//! Imports: base, diag, interp, kernel, plan, trace
+//! Imports: analysis, base, diag, interp, ir, kernel, plan, trace
 //! Crates: codespan-reporting, csv, serde, serde_json
 
 mod degrees;
 mod eval;
+mod faults;
 mod human;
 mod json;
 mod paint;
@@ -21,6 +22,7 @@ mod samples;
 
 pub use degrees::eval;
 pub use eval::{Evaluated, eval_json};
+pub use faults::{faults, faults_html, faults_json, faults_markdown};
 pub use human::{human, summary};
 pub use json::json;
 pub use run::{Outcome, Verdict, run};

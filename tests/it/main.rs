@@ -7,6 +7,7 @@ mod cli;
 mod corpus;
 mod docs;
 mod examples;
+mod faults;
 mod golden;
 mod golden_reader;
 mod limits;

@@ -1,0 +1,274 @@
+//! The fault table: what the events of a machine can still do under every set of failed sensors, and by which rules.
+
+use super::network::{self, Fault, FaultSet, Feed, Model, NetworkFacts, Verdict, Witness};
+use crate::base::{FileId, Id, Unit};
+use crate::ir::{self, FailReading, Program};
+
+/// One row for each set of failed sensors: none first, smaller sets before larger ones.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaultTable {
+    /// The rows.
+    pub rows: Vec<FaultRow>,
+}
+
+/// What is left under one set of failed sensors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaultRow {
+    /// The failed sensors, or inputs of a network on its own.
+    pub failed: Vec<Failed>,
+    /// Every event of every sensed network.
+    pub events: Vec<EventRow>,
+    /// The events of a network that some readings set together; qualified where there are several networks.
+    pub valuations: Vec<Vec<String>>,
+}
+
+/// A failed sensor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failed {
+    /// Its name.
+    pub sensor: String,
+    /// How to show its numbers.
+    pub unit: Unit,
+    /// What it reads, in SI.
+    pub reading: FailReading,
+}
+
+/// What an event can still do. Its memory, if it has one, lags behind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EventRow {
+    /// `network.event`.
+    pub name: String,
+    /// Some readings set it.
+    pub can_set: bool,
+    /// Some readings leave it clear.
+    pub can_clear: bool,
+    /// The rules for it that can still be above 0: a word for each input of the network, sorted.
+    pub contributor: Vec<Vec<String>>,
+    /// The rules against it that can still be above 0.
+    pub detractor: Vec<Vec<String>>,
+    /// How many rules for it, and against it, are always 0.
+    pub masked: (usize, usize),
+    /// Readings in SI that set it, by sensor.
+    pub witness_set: Option<Vec<(String, f64)>>,
+}
+
+/// The fault table of the behaviors of some files, or of their networks where they have no behavior, for every set of
+/// at most `up_to` failed sensors.
+pub fn fault_table(program: &Program, files: &[FileId], up_to: usize) -> FaultTable {
+    let group = Group::of(program, files);
+    let models: Vec<_> = group.senses.iter().filter_map(|sense| Sensed::new(program, &group, sense, up_to)).collect();
+    let fails = group.sensors.iter().map(|sensor| sensor.feed.fails.as_slice());
+    let rows = network::fault_sets(fails, up_to).into_iter().map(|faults| row(&group, &models, &faults));
+    FaultTable { rows: rows.collect() }
+}
+
+/// The sensors that can fail, and the networks they feed.
+struct Group {
+    sensors: Vec<Source>,
+    senses: Vec<Sense>,
+}
+
+struct Source {
+    name: String,
+    unit: Unit,
+    feed: Feed,
+}
+
+/// A network and the positions of the sensors that feed its inputs.
+struct Sense {
+    name: String,
+    network: Id<ir::Network>,
+    inputs: Vec<usize>,
+}
+
+impl Group {
+    fn of(program: &Program, files: &[FileId]) -> Self {
+        let is_asked = |symbol: &ir::Symbol| files.contains(&symbol.span.file);
+        let mut group = Self { sensors: Vec::new(), senses: Vec::new() };
+        let diagrams: Vec<_> = program.diagrams.values().filter(|diagram| is_asked(&diagram.symbol)).collect();
+        let mut known = Vec::new();
+        for sense in diagrams.iter().flat_map(|diagram| &diagram.senses) {
+            let inputs = sense.inputs.iter().zip(&program.networks[sense.network].inputs);
+            let inputs = inputs.map(|(&sensor, input)| {
+                known.iter().position(|&known| known == sensor).unwrap_or_else(|| {
+                    known.push(sensor);
+                    group.sensors.push(Source::of_sensor(program, sensor, input.variable));
+                    known.len() - 1
+                })
+            });
+            let inputs = inputs.collect();
+            group.add(Sense { name: sense.symbol.name.clone(), network: sense.network, inputs });
+        }
+        if diagrams.is_empty() {
+            for (id, network) in program.networks.iter().filter(|(_, network)| is_asked(&network.symbol)) {
+                let first = group.sensors.len();
+                group.sensors.extend(network.inputs.iter().map(|input| Source::of_input(program, input)));
+                let inputs = (first..group.sensors.len()).collect();
+                group.add(Sense { name: network.symbol.name.clone(), network: id, inputs });
+            }
+        }
+        group
+    }
+
+    /// Adds a sensed network, once for all behaviors that sense it alike.
+    fn add(&mut self, sense: Sense) {
+        let is_same = |known: &Sense| known.network == sense.network && known.inputs == sense.inputs;
+        if !self.senses.iter().any(is_same) {
+            self.senses.push(sense);
+        }
+    }
+}
+
+impl Source {
+    fn of_sensor(program: &Program, sensor: Id<ir::Sensor>, variable: Id<ir::Variable>) -> Self {
+        let sensor = &program.sensors[sensor];
+        let fails = if sensor.fails.is_empty() { &program.variables[variable].fails } else { &sensor.fails };
+        let feed = Feed { range: sensor.range, fails: fails.clone() };
+        Self { name: sensor.symbol.name.clone(), unit: sensor.unit.clone(), feed }
+    }
+
+    fn of_input(program: &Program, input: &ir::NetworkInput) -> Self {
+        let variable = &program.variables[input.variable];
+        let feed = Feed { range: variable.range, fails: variable.fails.clone() };
+        Self { name: input.symbol.name.clone(), unit: variable.unit.clone(), feed }
+    }
+}
+
+/// A sensed network with everything that is known of it.
+struct Sensed<'a> {
+    name: &'a str,
+    inputs: &'a [usize],
+    network: &'a ir::Network,
+    model: Model,
+    facts: Vec<NetworkFacts>,
+    /// The same network with its rules expanded to single terms, in words, and what is known of that.
+    words: Vec<[Vec<Vec<String>>; 2]>,
+    expanded: Vec<NetworkFacts>,
+}
+
+impl<'a> Sensed<'a> {
+    fn new(program: &'a Program, group: &Group, sense: &'a Sense, up_to: usize) -> Option<Self> {
+        let feeds: Vec<_> = sense.inputs.iter().map(|&sensor| group.sensors[sensor].feed.clone()).collect();
+        let network = &program.networks[sense.network];
+        let model = Model::fed_by(program, sense.network, &feeds)?;
+        let facts = model.facts(up_to);
+        let mut single = program.clone();
+        let (expanded, words) = expand(program, network);
+        let id = single.networks.add(expanded);
+        let expanded = Model::fed_by(&single, id, &feeds)?.facts(up_to);
+        Some(Self { name: &sense.name, inputs: &sense.inputs, network, model, facts, words, expanded })
+    }
+
+    /// The failures of a row as this network sees them.
+    fn faults(&self, faults: &FaultSet) -> FaultSet {
+        let own = self.inputs.iter().enumerate().filter_map(|(input, sensor)| {
+            let fault = faults.iter().find(|fault| fault.input == *sensor)?;
+            Some(Fault { input, reading: fault.reading })
+        });
+        own.collect()
+    }
+}
+
+fn row(group: &Group, models: &[Sensed<'_>], faults: &FaultSet) -> FaultRow {
+    let failed = faults.iter().map(|fault| {
+        let Source { name, unit, .. } = &group.sensors[fault.input];
+        Failed { sensor: name.clone(), unit: unit.clone(), reading: fault.reading }
+    });
+    let mut row = FaultRow { failed: failed.collect(), events: Vec::new(), valuations: Vec::new() };
+    for sensed in models {
+        let own = sensed.faults(faults);
+        let find = |facts: &'_ [NetworkFacts]| facts.iter().position(|facts| facts.faults == own);
+        let (Some(facts), Some(expanded)) = (find(&sensed.facts), find(&sensed.expanded)) else { continue };
+        let (facts, expanded) = (&sensed.facts[facts], &sensed.expanded[expanded]);
+        for (index, event) in sensed.network.events.iter().enumerate() {
+            let [contributor, detractor] = surviving(&sensed.words[index], expanded, index);
+            let of = &facts.events[index];
+            row.events.push(EventRow {
+                name: format!("{}.{}", sensed.name, event.symbol.name),
+                can_set: of.set.is_possible(),
+                can_clear: of.clear.is_possible(),
+                masked: (
+                    sensed.words[index][0].len() - contributor.len(),
+                    sensed.words[index][1].len() - detractor.len(),
+                ),
+                contributor,
+                detractor,
+                witness_set: of.set.witness().map(|witness| readings(group, sensed, &own, witness)),
+            });
+        }
+        for valuation in sensed.model.valuations(facts) {
+            let set = sensed.network.events.iter().zip(valuation.set).filter(|(_, set)| *set);
+            let name = |event: &ir::Event| match models {
+                [_] => event.symbol.name.clone(),
+                _ => format!("{}.{}", sensed.name, event.symbol.name),
+            };
+            row.valuations.push(set.map(|(event, _)| name(event)).collect());
+        }
+    }
+    row.valuations.sort_by(|one, other| (other.len(), one).cmp(&(one.len(), other)));
+    row
+}
+
+/// The rules of an event that can be above 0, in words.
+fn surviving(words: &[Vec<Vec<String>>; 2], expanded: &NetworkFacts, event: usize) -> [Vec<Vec<String>>; 2] {
+    let facts = &expanded.events[event];
+    let left = |words: &[Vec<String>], facts: &[network::RuleFacts]| {
+        let alive = words.iter().zip(facts).filter(|(_, facts)| facts.fires != Verdict::Never);
+        let mut alive: Vec<_> = alive.map(|(words, _)| words.clone()).collect();
+        alive.sort();
+        alive
+    };
+    [left(&words[0], &facts.contributor), left(&words[1], &facts.detractor)]
+}
+
+fn readings(group: &Group, sensed: &Sensed<'_>, faults: &FaultSet, witness: &Witness) -> Vec<(String, f64)> {
+    let complete = sensed.model.complete(faults, witness);
+    let named = sensed.inputs.iter().zip(&complete.readings);
+    named
+        .filter_map(|(&sensor, reading)| Some((group.sensors[sensor].name.clone(), reading.as_ref()?.to_f64())))
+        .collect()
+}
+
+/// A network whose rules name single terms, and its rules in words: of each event, those for and those against it.
+fn expand(program: &Program, network: &ir::Network) -> (ir::Network, Vec<[Vec<Vec<String>>; 2]>) {
+    let mut single = network.clone();
+    let words = single.events.iter_mut().map(|event| {
+        [&mut event.contributor, &mut event.detractor].map(|rules| {
+            *rules = rules.iter().flat_map(expand_rule).collect();
+            rules.sort_by(|one, other| one.clauses.cmp(&other.clauses));
+            rules.dedup_by(|one, other| one.clauses == other.clauses);
+            rules.iter().map(|rule| in_words(program, network, rule)).collect()
+        })
+    });
+    let words = words.collect();
+    (single, words)
+}
+
+fn expand_rule(rule: &ir::Rule) -> Vec<ir::Rule> {
+    let mut all = vec![Vec::new()];
+    for clause in &rule.clauses {
+        let single = |literal: &ir::Literal| ir::Clause { input: clause.input, any_of: vec![*literal] };
+        all = all
+            .iter()
+            .flat_map(|before: &Vec<ir::Clause>| {
+                clause.any_of.iter().map(move |literal| [before.as_slice(), &[single(literal)]].concat())
+            })
+            .collect();
+    }
+    all.into_iter().map(|clauses| ir::Rule { clauses, span: rule.span }).collect()
+}
+
+/// A word for each input: the term, `not term`, or `-` where the rule leaves the input out.
+fn in_words(program: &Program, network: &ir::Network, rule: &ir::Rule) -> Vec<String> {
+    let words = network.inputs.iter().enumerate().map(|(position, input)| {
+        let terms = &program.variables[input.variable].terms;
+        let clauses = rule.clauses.iter().filter(|clause| clause.input as usize == position);
+        let literals = clauses.flat_map(|clause| &clause.any_of).map(|literal| {
+            let name = &terms[literal.term as usize].symbol.name;
+            if literal.negated { format!("not {name}") } else { name.clone() }
+        });
+        let words: Vec<_> = literals.collect();
+        if words.is_empty() { "-".to_owned() } else { words.join(" and ") }
+    });
+    words.collect()
+}
