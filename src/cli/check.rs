@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
+use super::levels::LevelFlags;
 use super::terminal::{Terminal, exit_code};
 use crate::report;
 
@@ -15,9 +16,8 @@ pub(super) struct Check {
     /// How to report
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     format: Format,
-    /// Findings to treat as errors
-    #[arg(long, value_name = "WHAT")]
-    deny: Option<Deny>,
+    #[command(flatten)]
+    levels: LevelFlags,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -30,15 +30,9 @@ enum Format {
     Json,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Deny {
-    /// Every warning
-    Warnings,
-}
-
 impl Check {
     pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
-        let analysis = match files::analyze(&self.files, self.deny.is_some(), terminal) {
+        let analysis = match files::analyze(&self.files, &self.levels, terminal) {
             Ok(analysis) => analysis,
             Err(code) => return code,
         };

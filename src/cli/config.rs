@@ -8,7 +8,7 @@ use toml::Spanned;
 
 use super::terminal::Terminal;
 use crate::base::{Sources, Span};
-use crate::diag::{self, Diagnostic, Level, Levels, RULES, find_rule, rules};
+use crate::diag::{self, Diagnostic, Level, Levels, find_rule, rules};
 
 const NAME: &str = "lmsl.toml";
 
@@ -81,9 +81,8 @@ fn parse(path: &str, text: &str) -> Result<Levels, (Vec<Diagnostic>, Sources)> {
 }
 
 fn unknown_rule(name: &str, span: Span) -> Diagnostic {
-    let known = RULES.iter().flat_map(|rule| [rule.code, rule.name]);
     Diagnostic::new(&rules::BAD_CONFIGURATION, span, format!("there is no diagnostic `{name}`"))
-        .help_maybe(diag::did_you_mean(name, known))
+        .help_maybe(diag::did_you_mean(name, rules::names()))
 }
 
 fn unknown_level(level: &str, span: Span) -> Diagnostic {

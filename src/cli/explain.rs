@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::terminal::Terminal;
-use crate::diag::{self, RULES, find_rule};
+use crate::diag::{self, RULES, find_rule, rules};
 
 /// Explain a diagnostic, by its code or its name.
 #[derive(Args)]
@@ -28,8 +28,7 @@ impl Explain {
                 super::CLEAN
             }
             None => {
-                let known = RULES.iter().flat_map(|rule| [rule.code, rule.name]);
-                let near = diag::did_you_mean(wanted, known);
+                let near = diag::did_you_mean(wanted, rules::names());
                 let help = near.unwrap_or_else(|| "`lmslc explain` lists all".to_owned());
                 terminal.fail(&format!("there is no diagnostic `{wanted}`"), Some(&help))
             }

@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
-use super::{config, terminal::Terminal};
+use super::{config, levels::LevelFlags, terminal::Terminal};
 use crate::driver::{self, Analysis, FileError, Files, Options};
 
 /// The disk, and standard input as `-`.
@@ -37,11 +37,11 @@ fn standard_input() -> Result<String, FileError> {
     text(bytes)
 }
 
-/// Analyzes files, the files of folders, and `-`, under the project's configuration.
+/// Analyzes files, the files of folders, and `-`, under the project's configuration and the flags over it.
 ///
 /// # Errors
 /// The exit code, where the arguments or the configuration are wrong; that has been reported.
-pub(super) fn analyze(paths: &[String], deny_warnings: bool, terminal: &Terminal) -> Result<Analysis, u8> {
+pub(super) fn analyze(paths: &[String], flags: &LevelFlags, terminal: &Terminal) -> Result<Analysis, u8> {
     let mut roots = Vec::new();
     for path in paths {
         if path != "-" && Path::new(path).is_dir() {
@@ -56,9 +56,7 @@ pub(super) fn analyze(paths: &[String], deny_warnings: bool, terminal: &Terminal
         }
     }
     let mut options = Options { levels: config::levels(roots.first().map_or("", String::as_str), terminal)? };
-    if deny_warnings {
-        options.levels.deny_warnings();
-    }
+    flags.apply(&mut options.levels, terminal)?;
     let stdin = roots.iter().any(|root| root == "-").then(standard_input);
     Ok(driver::analyze(&Disk { stdin }, &roots, &options))
 }

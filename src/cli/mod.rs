@@ -10,6 +10,7 @@ mod eval;
 mod explain;
 mod faults;
 mod files;
+mod levels;
 mod run;
 mod terminal;
 mod test;

@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
+use super::levels::LevelFlags;
 use super::terminal::{Terminal, exit_code};
 use crate::base::{Exact, FileId, find_unit};
 use crate::diag::{self, Diagnostic, rules};
@@ -55,7 +56,7 @@ impl Run {
     }
 
     fn carry_out(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let analysis = files::analyze(std::slice::from_ref(&self.file), false, terminal)?;
+        let analysis = files::analyze(std::slice::from_ref(&self.file), &LevelFlags::default(), terminal)?;
         terminal.findings(&analysis);
         let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
         let scenario = self.choose(&analysis, terminal)?;

@@ -84,7 +84,7 @@ pub(super) fn exit_code(analysis: &Analysis) -> u8 {
     let errors = || analysis.findings.iter().filter(|finding| finding.severity == Severity::Error);
     if errors().any(|finding| finding.rule == &rules::INTERNAL) {
         super::INTERNAL
-    } else if errors().any(|finding| finding.rule.code.starts_with("LM00")) {
+    } else if errors().any(|finding| finding.rule.level == Severity::Error && finding.rule.code.starts_with("LM00")) {
         super::USAGE
     } else if errors().next().is_some() {
         super::FINDINGS

@@ -4,6 +4,7 @@ use clap::Args;
 use rayon::prelude::*;
 
 use super::files;
+use super::levels::LevelFlags;
 use super::run::{Format, outcome, scenarios};
 use super::terminal::{Terminal, exit_code};
 use crate::sim::{self, RunOptions};
@@ -33,7 +34,7 @@ impl Test {
     }
 
     fn carry_out(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let analysis = files::analyze(&self.files, false, terminal)?;
+        let analysis = files::analyze(&self.files, &LevelFlags::default(), terminal)?;
         terminal.findings(&analysis);
         let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
         let mut chosen = scenarios(&analysis);

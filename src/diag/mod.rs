@@ -3,11 +3,15 @@
 //! Imports: base
 //! Crates: strsim
 
+mod fix;
 mod levels;
 pub mod rules;
+mod suppressions;
 
+pub use fix::{Edit, Fix, Fixed, apply_fixes};
 pub use levels::{Level, Levels};
 pub use rules::{RULES, Rule, find_rule};
+pub use suppressions::Suppressions;
 
 use crate::base::Span;
 
@@ -57,6 +61,8 @@ pub struct Diagnostic {
     pub notes: Vec<String>,
     /// The change that would mend it.
     pub help: Option<String>,
+    /// That change as edits, where it leaves the program's behavior as it is.
+    pub fix: Option<Fix>,
 }
 
 impl Diagnostic {
@@ -64,7 +70,7 @@ impl Diagnostic {
     pub fn new(rule: &'static Rule, span: Span, message: impl Into<String>) -> Self {
         let label = Label { span, message: String::new() };
         let message = message.into();
-        Self { rule, severity: rule.level, message, labels: vec![label], notes: Vec::new(), help: None }
+        Self { rule, severity: rule.level, message, labels: vec![label], notes: Vec::new(), help: None, fix: None }
     }
 
     /// Says something at the primary place.
@@ -101,6 +107,13 @@ impl Diagnostic {
     #[must_use]
     pub fn help_maybe(mut self, help: Option<String>) -> Self {
         self.help = help.or(self.help);
+        self
+    }
+
+    /// Carries the change out.
+    #[must_use]
+    pub fn fix(mut self, fix: Fix) -> Self {
+        self.fix = Some(fix);
         self
     }
 

@@ -27,6 +27,11 @@ pub fn find_rule(code_or_name: &str) -> Option<&'static Rule> {
         .find(|rule| rule.code.eq_ignore_ascii_case(code_or_name) || rule.name.eq_ignore_ascii_case(code_or_name))
 }
 
+/// All codes and names, to look for what was meant.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    RULES.iter().flat_map(|rule| [rule.code, rule.name])
+}
+
 macro_rules! rules {
     ($($constant:ident $code:literal $name:literal $level:ident $summary:literal)*) => {
         $(
@@ -54,6 +59,8 @@ rules! {
     AMBIGUOUS_IMPORT "LM0006" "ambiguous-import" Error "an import names two files"
     FILE_TOO_LARGE "LM0007" "file-too-large" Error "a file is larger than the compiler takes"
     BAD_CONFIGURATION "LM0008" "bad-configuration" Error "lmsl.toml says something the compiler does not know"
+    BAD_SUPPRESSION "LM0009" "bad-suppression" Warning "a comment that cannot suppress what it names"
+    UNUSED_SUPPRESSION "LM0010" "unused-suppression" Warning "a comment that suppresses nothing"
 
     SYNTAX_ERROR "LM0101" "syntax-error" Error "text that is not part of the language"
     TOO_DEEP "LM0102" "nesting-too-deep" Error "parentheses nested deeper than the compiler takes"

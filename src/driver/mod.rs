@@ -10,7 +10,7 @@ pub use library::LIBRARY;
 pub use load::{FileError, Files};
 
 use crate::base::{FileId, Sources};
-use crate::diag::{self, Diagnostic, Levels, Severity};
+use crate::diag::{self, Diagnostic, Levels, Severity, Suppressions, rules};
 use crate::{analysis, ir, plan, sema, sim};
 
 /// How to look at a compilation.
@@ -56,7 +56,13 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     findings.extend(lowering);
     findings.extend(analysis::run(&program));
     findings.extend(sim::placements(&program));
-    options.levels.apply(&mut findings);
+    let suppressions = Suppressions::collect(&sources, &mut findings);
+    findings.extend(suppressions.unused(&findings, &sources));
+    if findings.iter().any(|finding| finding.severity == Severity::Error) {
+        // What seems unused may be for the part that is broken.
+        findings.retain(|finding| finding.rule != &rules::UNUSED_SUPPRESSION);
+    }
+    options.levels.apply(&mut findings, &suppressions);
     diag::sort(&mut findings);
     Analysis { roots, sources, units, program, findings }
 }

@@ -68,7 +68,8 @@ fn every_example_raises_its_rule_and_no_correction_raises_any() {
 #[test]
 fn the_index_lists_every_rule() {
     let mut expected = "# Diagnostics\n\nEvery finding has a code, a name and a page. `lmslc explain LM0403` or \
-        `lmslc explain duplicate-priority` prints the page; `lmsl.toml` changes the level of those that are warnings.\n\n\
+        `lmslc explain duplicate-priority` prints the page. `lmsl.toml`, flags and comments in the source change the level \
+        of those that are warnings: see [levels](../ci.md#levels).\n\n\
         | code | name | level | found when |\n|---|---|---|---|\n"
         .to_owned();
     for rule in RULES {
