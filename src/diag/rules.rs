@@ -74,6 +74,7 @@ rules! {
     WRONG_KIND "LM0204" "wrong-kind-of-name" Error "a name of one kind where another is needed"
     CIRCULAR "LM0205" "circular-declaration" Error "declarations that need each other in a circle"
     AMBIGUOUS_NAME "LM0206" "ambiguous-name" Error "a name that could mean two things"
+    UNUSED_IMPORT "LM0207" "unused-import" Warning "an import of which nothing is used"
 
     DIMENSION_MISMATCH "LM0301" "dimension-mismatch" Error "a quantity of the wrong dimension"
     UNKNOWN_UNIT "LM0302" "unknown-unit" Error "a unit the language does not know"

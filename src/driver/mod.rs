@@ -60,7 +60,7 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     findings.extend(suppressions.unused(&findings, &sources));
     if findings.iter().any(|finding| finding.severity == Severity::Error) {
         // What seems unused may be for the part that is broken.
-        findings.retain(|finding| finding.rule != &rules::UNUSED_SUPPRESSION);
+        findings.retain(|finding| ![&rules::UNUSED_IMPORT, &rules::UNUSED_SUPPRESSION].contains(&finding.rule));
     }
     options.levels.apply(&mut findings, &suppressions);
     diag::sort(&mut findings);

@@ -60,6 +60,7 @@ pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
         lower.run(phase);
     }
     lower.run(Phase::Scenarios);
+    lower.unused_imports();
     (lower.program, lower.diagnostics)
 }
 

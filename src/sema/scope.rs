@@ -3,8 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use super::{Lower, Unit, duplicate};
-use crate::base::{FileId, Id, Span};
-use crate::diag::{self, Diagnostic};
+use crate::base::{FileId, Id, Sources, Span};
+use crate::diag::{self, Diagnostic, Edit, Fix};
 use crate::ir;
 use crate::syntax::ast;
 
@@ -59,6 +59,8 @@ struct Entry<'a> {
 /// The names each file can use, and the ids of what has been lowered. A declaration is known by the place of its name.
 pub(super) struct Scopes<'a> {
     files: HashMap<FileId, HashMap<&'a str, Entry<'a>>>,
+    /// Which file has used a name of which.
+    used: HashSet<(FileId, FileId)>,
     /// Files with an import that led nowhere.
     incomplete: HashSet<FileId>,
     pub(super) variables: HashMap<Span, Id<ir::Variable>>,
@@ -98,6 +100,7 @@ impl<'a> Scopes<'a> {
         let incomplete = units.iter().filter(|unit| unit.imports.len() < imports(unit)).map(|unit| unit.file).collect();
         Self {
             files,
+            used: HashSet::new(),
             incomplete,
             variables: HashMap::new(),
             networks: HashMap::new(),
@@ -148,11 +151,31 @@ fn with_article(kind: &str) -> String {
     format!("{article} {kind}")
 }
 
+fn unused_import(import: Import, sources: &Sources) -> Diagnostic {
+    let message = format!("nothing of `{}` is used in this file", sources.path(import.file));
+    Diagnostic::new(&diag::rules::UNUSED_IMPORT, import.span, message)
+        .note("an import brings in what the file itself declares, not what that file imports")
+        .help("remove it")
+        .fix(Fix { message: "remove the import".to_owned(), edits: vec![Edit::remove(import.span, sources)] })
+}
+
 impl<'a> Lower<'a> {
+    /// Reports the imports of which no name was looked up; to be called when all has been.
+    pub(super) fn unused_imports(&mut self) {
+        for unit in self.units {
+            for &import in &unit.imports {
+                if !self.scopes.used.contains(&(unit.file, import.file)) {
+                    self.report(unused_import(import, self.sources));
+                }
+            }
+        }
+    }
+
     /// What a name stands for in the file it is written in; reports one that stands for nothing.
     fn look_up(&mut self, name: &ast::Name, what: &str) -> Option<Declared<'a>> {
         let scope = self.scopes.files.get(&name.span.file)?;
         if let Some(entry) = scope.get(name.text.as_str()) {
+            self.scopes.used.insert((name.span.file, entry.span.file));
             return Some(entry.declared);
         }
         // An import that led nowhere may have been the one that declares it.

@@ -1,5 +1,4 @@
 import std.behaviors.obstacle_avoidance
-import std.robots.j5
 
 /// A mode, a flag and the entry are replaced; everything else is taken over.
 behavior quick extends obstacle_avoidance {
