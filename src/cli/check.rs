@@ -2,9 +2,9 @@
 
 use clap::{Args, ValueEnum};
 
-use super::files;
 use super::levels::LevelFlags;
 use super::terminal::{Terminal, exit_code};
+use super::{files, fix};
 use crate::report;
 
 /// Report everything that is wrong or doubtful in files.
@@ -16,6 +16,9 @@ pub(super) struct Check {
     /// How to report
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     format: Format,
+    /// Change the files where that cannot change behavior, then report what is left
+    #[arg(long)]
+    fix: bool,
     #[command(flatten)]
     levels: LevelFlags,
 }
@@ -32,7 +35,8 @@ enum Format {
 
 impl Check {
     pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
-        let analysis = match files::analyze(&self.files, &self.levels, terminal) {
+        let look = if self.fix { fix::fix } else { files::analyze };
+        let analysis = match look(&self.files, &self.levels, terminal) {
             Ok(analysis) => analysis,
             Err(code) => return code,
         };

@@ -10,6 +10,7 @@ mod eval;
 mod explain;
 mod faults;
 mod files;
+mod fix;
 mod levels;
 mod run;
 mod terminal;

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::places::Places;
 use crate::base::{Sources, Span};
-use crate::diag::Diagnostic;
+use crate::diag::{self, Diagnostic};
 
 /// The version of every JSON shape of this room; it grows when a shape changes in a way that breaks its readers.
 pub(super) const SCHEMA: u32 = 1;
@@ -22,7 +22,7 @@ struct Finding<'a> {
     notes: &'a [String],
     help: Option<&'a str>,
     witness: Option<()>,
-    fix: Option<()>,
+    fix: Option<Fix<'a>>,
 }
 
 #[derive(Serialize)]
@@ -30,6 +30,19 @@ struct Label<'a> {
     message: &'a str,
     #[serde(flatten)]
     place: Place<'a>,
+}
+
+#[derive(Serialize)]
+struct Fix<'a> {
+    message: &'a str,
+    edits: Vec<Edit<'a>>,
+}
+
+#[derive(Serialize)]
+struct Edit<'a> {
+    #[serde(flatten)]
+    place: Place<'a>,
+    text: &'a str,
 }
 
 #[derive(Serialize)]
@@ -73,8 +86,13 @@ fn finding<'a>(diagnostic: &'a Diagnostic, places: &Places<'a>) -> Finding<'a> {
         notes: &diagnostic.notes,
         help: diagnostic.help.as_deref(),
         witness: None,
-        fix: None,
+        fix: diagnostic.fix.as_ref().map(|change| fix(change, places)),
     }
+}
+
+fn fix<'a>(fix: &'a diag::Fix, places: &Places<'a>) -> Fix<'a> {
+    let edits = fix.edits.iter().map(|edit| Edit { place: place(edit.span, places), text: &edit.text });
+    Fix { message: &fix.message, edits: edits.collect() }
 }
 
 fn place<'a>(span: Span, places: &Places<'a>) -> Place<'a> {
