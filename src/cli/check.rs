@@ -31,6 +31,10 @@ enum Format {
     Short,
     /// One JSON object a line
     Json,
+    /// SARIF 2.1.0, for code scanning
+    Sarif,
+    /// Workflow commands, for annotations on GitHub
+    Github,
 }
 
 impl Check {
@@ -49,6 +53,8 @@ impl Check {
                 }
             }
             Format::Short => Terminal::print(&report::short(&analysis.findings, &analysis.sources)),
+            Format::Sarif => Terminal::print(&report::sarif(&analysis.findings, &analysis.sources)),
+            Format::Github => Terminal::print(&report::github(&analysis.findings, &analysis.sources)),
             Format::Json => Terminal::print(&report::json(&analysis.findings, &analysis.sources)),
         }
         exit_code(&analysis)

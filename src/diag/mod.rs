@@ -117,6 +117,13 @@ impl Diagnostic {
         self
     }
 
+    /// The message with its notes and its help, a line each, for where there is one text only.
+    pub fn text(&self) -> String {
+        let notes = self.notes.iter().map(|note| format!("\nnote: {note}"));
+        let help = self.help.iter().map(|help| format!("\nhelp: {help}"));
+        notes.chain(help).fold(self.message.clone(), |text, line| text + &line)
+    }
+
     /// The primary place.
     pub fn span(&self) -> Span {
         self.labels.first().map(|label| label.span).unwrap_or_default()
