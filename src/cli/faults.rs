@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
+use super::levels::LevelFlags;
 use super::terminal::{Terminal, exit_code};
 use crate::{analysis, report};
 
@@ -43,7 +44,7 @@ impl Faults {
     }
 
     fn carry_out(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let analysis = files::analyze(std::slice::from_ref(&self.file), false, terminal)?;
+        let analysis = files::analyze(std::slice::from_ref(&self.file), &LevelFlags::default(), terminal)?;
         terminal.findings(&analysis);
         if analysis.checked().is_none() {
             return Err(exit_code(&analysis));
