@@ -25,7 +25,7 @@ pub(super) fn check(diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
     for node in Dfs::new(&graph, nodes[entry.index()]).iter(&graph) {
         reached[node.index()] = true;
     }
-    let unreachable = diagram.modes.iter().filter(|(id, _)| !reached[id.index()]);
+    let unreachable = diagram.modes.iter().filter(|(id, mode)| !reached[id.index()] && !mode.inherited);
     findings.extend(unreachable.map(|(_, mode)| unreachable_mode(mode, &diagram.modes[entry])));
 }
 

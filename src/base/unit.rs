@@ -40,6 +40,21 @@ impl Unit {
         Self { text: "1".to_owned(), scale: Exact::ONE, dimension: Dimension::NONE }
     }
 
+    /// A unit written as in the language, such as `cm/s^2`; `None` for one that is not.
+    pub fn parse(text: &str) -> Option<Self> {
+        let (mut scale, mut dimension) = (Exact::ONE, Dimension::NONE);
+        let mut sign = 1;
+        for factor in text.split_inclusive(['/', '*']) {
+            let name = factor.trim_end_matches(['/', '*']).trim();
+            let (name, power) = name.split_once('^').unwrap_or((name, "1"));
+            let (known, power) = (find_unit(name)?, sign * power.parse::<i8>().ok()?);
+            scale = scale.times(known.scale().power(power.into())?)?;
+            dimension = dimension.times(known.dimension, power)?;
+            sign = if factor.ends_with('/') { -1 } else { 1 };
+        }
+        Some(Self { text: text.to_owned(), scale, dimension })
+    }
+
     /// An SI value in this unit, for people to read.
     pub fn show(&self, si: f64) -> String {
         let value = si / self.scale.to_f64();

@@ -4,8 +4,9 @@ use clap::{Args, ValueEnum};
 
 use super::files;
 use super::levels::LevelFlags;
+use super::quantity::quantity;
 use super::terminal::{Terminal, exit_code};
-use crate::base::{Exact, Unit};
+use crate::base::Unit;
 use crate::diag;
 use crate::interp::{Evaluator, Reading};
 use crate::plan::{self, NetworkPlan};
@@ -22,7 +23,8 @@ pub(super) struct Eval {
     file: String,
     /// The network
     network: String,
-    /// Readings, as in `left=-1.2 force=115`, in the units of the network's variables
+    /// Readings, as in `left=-1.2 force=0.1kN`, in the units of the network's variables unless they name another; a
+    /// reading may also be `nan`, `inf`, or `failed` for a sensor that is known to have failed
     #[arg(value_name = "NAME=VALUE")]
     readings: Vec<String>,
     /// Evaluate every row of a CSV of readings in SI, `-` for standard input, and print a CSV
@@ -119,11 +121,9 @@ fn reading(text: &str, unit: &Unit) -> Option<Reading> {
     if text == "failed" {
         return Some(Reading { value: f64::NAN, healthy: false });
     }
-    let number = text.trim().strip_suffix(unit.text.as_str()).unwrap_or(text).trim();
-    let exact = Exact::parse(number).and_then(|number| number.times(unit.scale));
-    let value = match exact {
+    let value = match quantity(text, unit) {
         Some(exact) => exact.to_f64(),
-        None => number.parse::<f64>().ok()? * unit.scale.to_f64(),
+        None => text.trim().parse::<f64>().ok().filter(|value| !value.is_finite())?,
     };
     Some(Reading { value, healthy: true })
 }

@@ -46,7 +46,9 @@ pub(super) fn analyze(paths: &[String], flags: &LevelFlags, terminal: &Terminal)
     for path in paths {
         if path != "-" && Path::new(path).is_dir() {
             let before = roots.len();
-            collect(Path::new(path), &mut roots);
+            if let Err(error) = collect(Path::new(path), &mut roots) {
+                return Err(terminal.fail(&format!("the folder `{path}` cannot be read: {error}"), None));
+            }
             if roots.len() == before {
                 let message = format!("the folder `{path}` holds no `.msd` or `.fsfn` file");
                 return Err(terminal.fail(&message, None));
@@ -62,20 +64,21 @@ pub(super) fn analyze(paths: &[String], flags: &LevelFlags, terminal: &Terminal)
 }
 
 /// The files of the language in a folder and the folders in it, by name; hidden folders and `target` are passed over.
-fn collect(folder: &Path, files: &mut Vec<String>) {
-    let Ok(entries) = std::fs::read_dir(folder) else { return };
-    let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
-    paths.sort();
-    for path in paths {
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        if path.is_dir() {
+fn collect(folder: &Path, files: &mut Vec<String>) -> std::io::Result<()> {
+    let mut entries = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
+    entries.sort_by_key(std::fs::DirEntry::path);
+    for entry in entries {
+        let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
+        // Links to folders are not followed: they may lead in a circle.
+        if entry.file_type()?.is_dir() {
             if !name.starts_with('.') && name != "target" {
-                collect(&path, files);
+                collect(&path, files)?;
             }
         } else if path.extension().is_some_and(|ending| ending == "msd" || ending == "fsfn") {
             files.push(path.to_string_lossy().into_owned());
         }
     }
+    Ok(())
 }
 
 /// Writes a result to a file.

@@ -12,6 +12,7 @@ mod faults;
 mod files;
 mod fix;
 mod levels;
+mod quantity;
 mod run;
 mod terminal;
 mod test;

@@ -4,8 +4,9 @@ use clap::{Args, ValueEnum};
 
 use super::files;
 use super::levels::LevelFlags;
+use super::quantity::quantity;
 use super::terminal::{Terminal, exit_code};
-use crate::base::{Exact, FileId, find_unit};
+use crate::base::{FileId, Unit};
 use crate::diag::{self, Diagnostic, rules};
 use crate::driver::Analysis;
 use crate::ir::{self, Window};
@@ -27,7 +28,8 @@ pub(super) struct Run {
     /// The seed of everything random, instead of the scenario's
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
-    /// Make a sensor read wrong from a time on, as in `contact_force=0N@3s`; may be repeated
+    /// Make a sensor read wrong from a time on, as in `contact_force=0N@3s`; `any` for some constant in its range,
+    /// `failed` to also report it as failed; may be repeated
     #[arg(long = "fault", value_name = "SENSOR=VALUE@TIME")]
     faults: Vec<String>,
     /// Write every tick to a file, as CSV or, where the name ends in .jsonl, as one JSON object a line
@@ -159,27 +161,11 @@ fn parse_fault(
         "any" => ir::FaultReading::StuckSomewhere,
         "failed" => ir::FaultReading::Reported,
         value => {
-            let value = quantity(value, &unit.text, unit.scale).ok_or_else(form)?;
+            let value = quantity(value, unit).ok_or_else(form)?;
             ir::FaultReading::Stuck(value.to_f64())
         }
     };
-    let seconds = quantity(time, "s", Exact::ONE).ok_or_else(form)?;
+    let seconds = Unit::parse("s").and_then(|unit| quantity(time, &unit)).ok_or_else(form)?;
     let from = crate::base::Quantity::new(seconds, crate::base::Dimension::TIME).to_nanoseconds().ok_or_else(form)?;
     Ok(ir::Fault { sensor, reading, window: Window { from, to: u64::MAX } })
-}
-
-/// A number with the given unit, another simple unit of the same dimension, or none.
-fn quantity(text: &str, unit: &str, scale: Exact) -> Option<Exact> {
-    let text = text.trim();
-    let end = text.find(|c: char| c.is_alphabetic() || c == '%').unwrap_or(text.len());
-    let (number, written) = text.split_at(end);
-    let scale = match written {
-        "" => scale,
-        written if written == unit => scale,
-        written => {
-            let dimension = find_unit(unit).map(|unit| unit.dimension);
-            find_unit(written).filter(|found| dimension == Some(found.dimension))?.scale()
-        }
-    };
-    Exact::parse(number.trim())?.times(scale)
 }

@@ -39,7 +39,13 @@ impl Terminal {
 
     /// A result, on standard output. A reader that has gone away is no error of ours.
     pub(super) fn print(text: &str) {
-        let _ = std::io::stdout().write_all(text.as_bytes());
+        match std::io::stdout().write_all(text.as_bytes()) {
+            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+                eprintln!("error: standard output cannot be written: {error}");
+                std::process::exit(super::USAGE.into());
+            }
+            _ => {}
+        }
     }
 
     /// A remark, on standard error.

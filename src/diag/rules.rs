@@ -109,6 +109,7 @@ rules! {
 
     BAD_PLACEMENT "LM0801" "bad-placement" Error "a scenario whose bodies overlap at the start"
     NO_SCENARIO "LM0802" "no-scenario" Error "a file without a scenario to run"
+    RUN_TOO_LONG "LM0803" "run-too-long" Error "a scenario with more ticks than can be recorded"
 
     INTERNAL "LM9901" "internal-error" Error "a fault of the compiler itself"
 }

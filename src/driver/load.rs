@@ -45,7 +45,7 @@ pub(super) fn load(files: &dyn Files, roots: &[String]) -> Loaded {
         loaded: Loaded { roots: Vec::new(), sources: Sources::default(), units: Vec::new(), findings: Vec::new() },
     };
     for root in roots {
-        let path = clean(root);
+        let path = own(clean(root));
         let root = match loader.known.get(&path) {
             Some(known) => *known,
             None => {
@@ -78,7 +78,7 @@ struct Loader<'a> {
 
 impl Loader<'_> {
     fn text(&self, path: &str) -> Result<String, FileError> {
-        if path.starts_with("std/") {
+        if path.starts_with(LIBRARY) {
             return library::find(path).map(str::to_owned).ok_or(FileError::Missing);
         }
         self.files.read(path)
@@ -138,6 +138,8 @@ impl Loader<'_> {
             _ => String::new(),
         };
         let stem = clean(&format!("{beside}{}", name.join("/")));
+        let of_library = name.first() == Some(&"std") || importer.starts_with(LIBRARY);
+        let stem = if of_library { stem } else { own(stem) };
         let mut found = Vec::new();
         for path in [format!("{stem}.msd"), format!("{stem}.fsfn")] {
             if self.known.contains_key(&path) {
@@ -161,6 +163,14 @@ impl Loader<'_> {
             None => self.known.get(&path).copied().flatten(),
         }
     }
+}
+
+/// Where the paths of the standard library begin.
+const LIBRARY: &str = "std/";
+
+/// The path of a file that is not of the library, though it may stand in a folder of that name.
+fn own(path: String) -> String {
+    if path.starts_with(LIBRARY) { format!("./{path}") } else { path }
 }
 
 /// The kind of file a path names.

@@ -85,6 +85,8 @@ pub struct Mode {
     pub transitions: Vec<Transition>,
     /// Whether something in it was broken, reported and left out; then nothing can be said of what it lacks.
     pub incomplete: bool,
+    /// Whether it was taken over from a diagram that this one extends, and is judged there.
+    pub inherited: bool,
 }
 
 /// A way out of a mode.

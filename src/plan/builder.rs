@@ -56,12 +56,21 @@ pub(super) struct Builder<'a> {
     pub(super) code: Code,
     common: HashMap<Key, u32>,
     part: Option<HashMap<Key, u32>>,
+    /// Whether the part runs after a transition may have been taken.
+    after_select: bool,
     constants: Vec<Step>,
 }
 
 impl<'a> Builder<'a> {
     pub(super) fn new(program: &'a ir::Program) -> Self {
-        Self { program, code: Code::default(), common: HashMap::new(), part: None, constants: Vec::new() }
+        Self {
+            program,
+            code: Code::default(),
+            common: HashMap::new(),
+            part: None,
+            after_select: false,
+            constants: Vec::new(),
+        }
     }
 
     /// Where the next step will stand.
@@ -72,6 +81,12 @@ impl<'a> Builder<'a> {
     /// From here on values are shared only until the next part begins.
     pub(super) fn begin_part(&mut self) {
         self.part = Some(HashMap::new());
+    }
+
+    /// From here on steps run after a transition may have been taken: what belongs to the mode is read anew.
+    pub(super) fn begin_watch(&mut self) {
+        self.begin_part();
+        self.after_select = true;
     }
 
     /// Appends the fixed numbers and answers where they stand.
@@ -92,7 +107,9 @@ impl<'a> Builder<'a> {
     }
 
     fn known(&self, key: &Key) -> Option<u32> {
-        self.common.get(key).or_else(|| self.part.as_ref()?.get(key)).copied()
+        let of_mode = matches!(key, Key::After(_) | Key::Latched(_) | Key::Count(_));
+        let common = self.common.get(key).filter(|_| !(self.after_select && of_mode));
+        common.or_else(|| self.part.as_ref()?.get(key)).copied()
     }
 
     fn remember(&mut self, key: Key, slot: u32) {

@@ -62,7 +62,7 @@ pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot
     let mut parts = Parts::new(platform, checked.sources, diagram);
     let modes = diagram.modes.iter().map(|(id, mode)| parts.mode(id, mode, &mut builder, &names)).collect();
 
-    builder.begin_part();
+    builder.begin_watch();
     let start = builder.position();
     let watched = watched.iter().map(|&condition| builder.expr(condition, &names)).collect();
     let watch = start..builder.position();

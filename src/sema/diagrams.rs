@@ -78,8 +78,11 @@ impl<'a> Lower<'a> {
             .enumerate()
             .map(|(index, mode)| (mode.name.text.as_str(), Id::new(index as u32)))
             .collect();
-        let lowered: Arena<ir::Mode> =
-            parts.modes.iter().map(|mode| self.mode(mode, &modes, &actions, &mut scene)).collect();
+        let own =
+            |mode: &ast::Mode| mode.span.file == tree.span.file && tree.span.range().contains(&mode.span.range().start);
+        let lower =
+            |mode: &&ast::Mode| ir::Mode { inherited: !own(mode), ..self.mode(mode, &modes, &actions, &mut scene) };
+        let lowered: Arena<ir::Mode> = parts.modes.iter().map(lower).collect();
         let broken = |tree: &&'a ast::Diagram| tree.items.iter().any(|item| matches!(item, ast::DiagramItem::Error(_)));
         let incomplete = chain.iter().any(broken) || lowered.values().any(|mode| mode.incomplete);
         let mut diagram = ir::Diagram {

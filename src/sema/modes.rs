@@ -35,9 +35,16 @@ impl Lower<'_> {
             on_enter: Vec::new(),
             on_exit: Vec::new(),
             transitions: Vec::new(),
+            inherited: false,
             incomplete: tree.items.iter().any(|item| matches!(item, ast::ModeItem::Error(_))),
         };
         mode.incomplete |= mode.otherwise.is_none() && tree.otherwise.is_some();
+        if let (Some(otherwise), Some(name)) = (mode.otherwise, &tree.otherwise)
+            && modes.get(tree.name.text.as_str()) == Some(&otherwise)
+        {
+            let diagnostic = invalid(name.span, format!("`{}` would move to itself", tree.name.text));
+            self.report(diagnostic.help("name a mode that can do without the sensor"));
+        }
         for name in &tree.requires {
             let sensor = self.sensor_named(name, &scene.sensors);
             mode.requires.extend(sensor.map(|sensor| (sensor, name.span)));

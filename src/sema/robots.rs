@@ -411,7 +411,14 @@ impl Lower<'_> {
             let wanted = &sensors[sensor];
             let kept = named(&wanted.symbol.name, &members.sensors, |id| &sensors[id].symbol);
             let poisoned = |id| self.poison.sensors.contains(&id);
-            let fits = |id| sensors[id].unit.dimension == wanted.unit.dimension || poisoned(id) || poisoned(sensor);
+            let fits = |id: Id<ir::Sensor>| {
+                let kept = &sensors[id];
+                let same = kept.unit.dimension == wanted.unit.dimension
+                    && kept.range.0 >= wanted.range.0
+                    && kept.range.1 <= wanted.range.1
+                    && (wanted.optional || !kept.optional);
+                same || poisoned(id) || poisoned(sensor)
+            };
             let is_lost = kept.is_none() && self.unparsed.may_declare(&wanted.symbol.name);
             if !kept.is_some_and(fits) && !is_lost {
                 broken.push((&wanted.symbol, "sensor", kept.map(|kept| sensors[kept].symbol.span)));

@@ -41,11 +41,21 @@ impl Lower<'_> {
 
     pub(super) fn box_body(&mut self, tree: &ast::BoxItem, before: usize) -> Option<ir::BoxBody> {
         let mass = self.positive(&tree.mass, Dimension::MASS, "a mass");
-        let length = self.positive(&tree.size.0, Dimension::LENGTH, "a length");
-        let width = self.positive(&tree.size.1, Dimension::LENGTH, "a width");
+        let length = self.extent(&tree.size.0, "a length");
+        let width = self.extent(&tree.size.1, "a width");
         let place = self.placement(&tree.place);
         let name = tree.name.as_ref().map_or_else(|| format!("box{}", before + 1), |name| name.text.clone());
         Some(ir::BoxBody { name, mass: mass?, length: length?, width: width?, place: place?, span: tree.span })
+    }
+
+    /// A length of a box: thinner ones would need steps too small to simulate.
+    fn extent(&mut self, quantity: &ast::Quantity, what: &str) -> Option<f64> {
+        let extent = self.positive(quantity, Dimension::LENGTH, what)?;
+        if extent < 0.001 {
+            self.report(super::invalid(quantity.span, format!("{what} of a box is at least 1 mm")));
+            return None;
+        }
+        Some(extent)
     }
 
     pub(super) fn placement(&mut self, tree: &ast::PlaceAt) -> Option<ir::Placement> {

@@ -18,6 +18,8 @@ use crate::ir::{self, BodyArgument, BodyCommand, BodyCommandKind, Placement};
 use crate::plan::Plan;
 use crate::trace::{Footprint, Trace};
 
+/// The most ticks of a run: more than a day at 10 ms, and about as much as fits into memory when recorded.
+const MOST_TICKS: u64 = 10_000_000;
 /// The longest step of the physics, ns.
 const LONGEST_SUBSTEP: u64 = 1_000_000;
 
@@ -44,6 +46,8 @@ pub struct Run {
 pub enum RunError {
     /// Its robot has no body.
     NoBody,
+    /// It would have this many ticks, more than can be recorded.
+    TooLong(u64),
     /// Two things stand in one place at the start.
     Overlap {
         /// The name of one: a box's, or `robot`.
@@ -59,6 +63,7 @@ impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoBody => f.write_str("the robot has no body"),
+            Self::TooLong(ticks) => write!(f, "it has {ticks} ticks; the most is {MOST_TICKS}"),
             Self::Overlap { what, with, .. } => write!(f, "{what} and {with} stand in one place at the start"),
         }
     }
@@ -75,6 +80,7 @@ impl std::error::Error for RunError {}
 pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options: &RunOptions) -> Result<Run, RunError> {
     let robot = &program.robots[scenario.robot];
     let Some(ir::Body::DifferentialDrive(parameters)) = &robot.body else { return Err(RunError::NoBody) };
+    let ticks = ticks(scenario)?;
     let mut world = build(parameters, scenario)?;
     let seed = options.seed.unwrap_or(scenario.seed);
     let ranges: Vec<(f64, f64)> = plan.inputs.iter().map(|input| (input.low, input.high)).collect();
@@ -86,7 +92,6 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
     let mut driver = Driver { commands, body, given: false };
 
     let tick = scenario.tick.max(1);
-    let ticks = scenario.duration / tick + 1;
     let substeps = tick.div_ceil(LONGEST_SUBSTEP);
     let bodies = footprints(parameters, scenario);
     let mut recorder = Recorder::new(plan, scenario, bodies, seed, ticks as usize);
@@ -110,10 +115,16 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
     Ok(Run { trace, verdicts })
 }
 
+/// How many ticks a scenario has.
+fn ticks(scenario: &ir::Scenario) -> Result<u64, RunError> {
+    let ticks = (scenario.duration / scenario.tick.max(1)).saturating_add(1);
+    if ticks > MOST_TICKS { Err(RunError::TooLong(ticks)) } else { Ok(ticks) }
+}
+
 /// The scenarios that cannot start: those whose robot has no body, or where things stand in one place.
 pub fn placements(program: &ir::Program) -> Vec<Diagnostic> {
     let start = |scenario: &ir::Scenario| match &program.robots[scenario.robot].body {
-        Some(ir::Body::DifferentialDrive(body)) => build(body, scenario).err(),
+        Some(ir::Body::DifferentialDrive(body)) => ticks(scenario).and_then(|_| build(body, scenario)).err(),
         None => Some(RunError::NoBody),
     };
     program.scenarios.values().filter_map(|scenario| Some(cannot_start(scenario, &start(scenario)?))).collect()
@@ -125,6 +136,12 @@ fn cannot_start(scenario: &ir::Scenario, error: &RunError) -> Diagnostic {
         RunError::NoBody => {
             Diagnostic::new(&rules::MISSING_PART, scenario.symbol.span, format!("the robot of `{name}` has no body"))
                 .help("write `body differential_drive { ... }` in the robot, so that it can be simulated")
+        }
+        RunError::TooLong(ticks) => {
+            let message = format!("`{name}` has {ticks} ticks; the most is {MOST_TICKS}");
+            Diagnostic::new(&rules::RUN_TOO_LONG, scenario.symbol.span, message)
+                .note("a run has a tick at its start and after each `tick` of its `duration`; every one is recorded")
+                .help("make the duration shorter, or the tick longer")
         }
         RunError::Overlap { what, with, span } => {
             let shown = |thing: &str| match thing {

@@ -57,8 +57,8 @@ impl<'a> Sensing<'a> {
                 let noise = if sensor.noise > 0.0 { self.noise.normal() * sensor.noise } else { 0.0 };
                 self.values[index] = truth + noise;
                 // Counted on from when it was due, so that ticks beside the period do not stretch it.
-                while sensor.period > 0 && self.due[index] <= time {
-                    self.due[index] += sensor.period;
+                if let Some(periods) = (time - self.due[index]).checked_div(sensor.period) {
+                    self.due[index] += (periods + 1) * sensor.period;
                 }
             }
             self.readings[index] = Reading { value: self.values[index], healthy: sensor.source.is_some() };

@@ -18,3 +18,4 @@ mod sessions;
 mod support;
 mod syntax;
 mod tick;
+mod watch;

@@ -13,11 +13,12 @@ behavior wander on rover {
 
     entry go
 
-    mode go requires force, speed else go {
+    mode go requires force, speed else rest {
         drive(26 cm/s)
         1: pressed or fast -> again
         2: done            -> again
     }
+    final mode rest { halt() }
 }
 
 scenario short_drive runs wander {

@@ -16,11 +16,12 @@ behavior wander on rover {
 
     entry go
 
-    mode go requires force else go {
+    mode go requires force else rest {
         drive(26 cm/s)
         1: pressed       -> again
         2: failed(force) -> again
     }
+    final mode rest { halt() }
 }
 
 scenario short_drive runs wander {

@@ -11,10 +11,11 @@ behavior push on rover {
 
     entry go
 
-    mode go requires force else go {
+    mode go requires force else rest {
         halt()
         1: pressed -> again
     }
+    final mode rest { halt() }
 }
 
 behavior wander on j5 {
