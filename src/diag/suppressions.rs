@@ -1,40 +1,42 @@
 //! Findings that the source itself says are fine, and why: `// lmsl: allow(dead-end) because the mission ends here`.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::{Diagnostic, Edit, Fix, Rule, Severity, find_rule, rules};
 use crate::base::{FileId, Sources, Span};
 
 /// What a suppression looks like, for help lines.
 const FORM: &str = "write `// lmsl: allow(RULE) because REASON`";
 
-/// A comment that suppresses one rule in one part of a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A file, the code of a rule, and the first byte of the line that is spoken of; `None` for the whole file.
+type Key = (FileId, &'static str, Option<u32>);
+
+/// Comments that suppress one rule in one place.
+#[derive(Debug, Clone)]
 struct Suppression {
     rule: &'static Rule,
-    comment: Span,
-    /// Findings whose primary label begins here, the end included, are suppressed.
-    reach: Span,
-}
-
-impl Suppression {
-    fn covers(&self, finding: &Diagnostic) -> bool {
-        let place = finding.span();
-        let (from, to) = (self.reach.start, self.reach.end);
-        self.rule == finding.rule && self.reach.file == place.file && (from..=to).contains(&place.start)
-    }
+    /// One past the line's last byte.
+    end: u32,
+    comments: Vec<Span>,
 }
 
 /// All suppressions of a compilation.
 #[derive(Debug, Clone, Default)]
-pub struct Suppressions(Vec<Suppression>);
+pub struct Suppressions(BTreeMap<Key, Suppression>);
 
 impl Suppressions {
     /// Collects the suppressions of all files in one pass over their text; reports those that cannot be.
     pub fn collect(sources: &Sources, findings: &mut Vec<Diagnostic>) -> Self {
-        let mut all = Vec::new();
+        let mut all: BTreeMap<Key, Suppression> = BTreeMap::new();
         for (file, source) in sources.iter() {
             for comment in comments(file, &source.text) {
                 match parse(&comment, &source.text) {
-                    Some(Ok(suppression)) => all.push(suppression),
+                    Some(Ok((rule, line))) => {
+                        let key = (file, rule.code, line.map(|line| line.start));
+                        let end = line.map_or(0, |line| line.end);
+                        let new = || Suppression { rule, end, comments: Vec::new() };
+                        all.entry(key).or_insert_with(new).comments.push(comment.span);
+                    }
                     Some(Err(finding)) => findings.push(finding),
                     None => {}
                 }
@@ -43,15 +45,25 @@ impl Suppressions {
         Self(all)
     }
 
-    /// Whether a finding is suppressed.
+    /// Whether a finding is suppressed: its primary label begins in a file or line that is spoken of.
     pub fn cover(&self, finding: &Diagnostic) -> bool {
-        self.0.iter().any(|suppression| suppression.covers(finding))
+        self.covering(finding).next().is_some()
     }
 
-    /// One finding for each suppression that covers none of `findings`.
+    /// One finding for each comment that covers none of `findings`.
     pub fn unused(&self, findings: &[Diagnostic], sources: &Sources) -> Vec<Diagnostic> {
-        let idle = self.0.iter().filter(|suppression| !findings.iter().any(|finding| suppression.covers(finding)));
-        idle.map(|suppression| unused(suppression, sources)).collect()
+        let used: BTreeSet<&Key> = findings.iter().flat_map(|finding| self.covering(finding)).collect();
+        let idle = self.0.iter().filter(|(key, _)| !used.contains(key)).map(|(_, suppression)| suppression);
+        idle.flat_map(|idle| idle.comments.iter().map(|&comment| unused(idle.rule, comment, sources))).collect()
+    }
+
+    fn covering(&self, finding: &Diagnostic) -> impl Iterator<Item = &Key> {
+        let (place, code) = (finding.span(), finding.rule.code);
+        let whole_file = self.0.get_key_value(&(place.file, code, None));
+        // Lines do not overlap, so it is the last one that begins before the finding, or none.
+        let line = self.0.range((place.file, code, Some(0))..=(place.file, code, Some(place.start))).next_back();
+        let line = line.filter(|(_, line)| place.start <= line.end);
+        whole_file.into_iter().chain(line).map(|(key, _)| key)
     }
 }
 
@@ -107,8 +119,9 @@ fn offset(part: &str, text: &str) -> u32 {
     (part.as_ptr().addr() - text.as_ptr().addr()) as u32
 }
 
-/// What a comment suppresses, or why it does not; `None` for a comment that is for people only.
-fn parse(comment: &Comment<'_>, text: &str) -> Option<Result<Suppression, Diagnostic>> {
+/// The rule that a comment suppresses and the line on which, `None` for the whole file, or why it does not. Nothing for
+/// a comment that is for people only.
+fn parse(comment: &Comment<'_>, text: &str) -> Option<Result<(&'static Rule, Option<Span>), Diagnostic>> {
     // A reason ends where another comment begins.
     let directive = comment.text.split("//").next()?.trim().strip_prefix("lmsl:")?.trim_start();
     let place = |part: &str| {
@@ -130,10 +143,7 @@ fn parse(comment: &Comment<'_>, text: &str) -> Option<Result<Suppression, Diagno
         Some(rule) if rule.level == Severity::Error => Err(always_an_error(rule, place(name))),
         Some(_) if reason.is_none_or(|reason| reason.trim().is_empty()) => Err(no_reason(name, comment.span)),
         Some(_) if whole_file && !comment.at_top => Err(not_at_top(name, comment.span)),
-        Some(rule) => {
-            let reach = if whole_file { place(text) } else { comment.reach };
-            Ok(Suppression { rule, comment: comment.span, reach })
-        }
+        Some(rule) => Ok((rule, (!whole_file).then_some(comment.reach))),
     })
 }
 
@@ -168,11 +178,11 @@ fn not_at_top(name: &str, span: Span) -> Diagnostic {
     .help("move it there, or write `allow` for the line below")
 }
 
-fn unused(suppression: &Suppression, sources: &Sources) -> Diagnostic {
-    let message = format!("this comment suppresses no `{}`", suppression.rule.name);
-    Diagnostic::new(&rules::UNUSED_SUPPRESSION, suppression.comment, message)
+fn unused(rule: &Rule, comment: Span, sources: &Sources) -> Diagnostic {
+    let message = format!("this comment suppresses no `{}`", rule.name);
+    Diagnostic::new(&rules::UNUSED_SUPPRESSION, comment, message)
         .help("remove it")
-        .fix(Fix { message: "remove the comment".to_owned(), edits: vec![Edit::remove(suppression.comment, sources)] })
+        .fix(Fix { message: "remove the comment".to_owned(), edits: vec![Edit::remove(comment, sources)] })
 }
 
 #[cfg(test)]
