@@ -52,3 +52,39 @@ fn obstacle_id_jointly_under_every_failure(bencher: Bencher<'_, '_>) {
         facts.iter().map(|facts| model.valuations(facts).len()).sum::<usize>()
     });
 }
+
+/// Every question about an event of 20 inputs and 200 rules.
+#[divan::bench]
+fn twenty_inputs_and_two_hundred_rules(bencher: Bencher<'_, '_>) {
+    let program = golden_reader::program(&large());
+    bencher.bench(|| {
+        let facts = analyze(&program, Id::new(0), 0);
+        assert_eq!(facts[0].events[0].contributor.len(), 100);
+        black_box(facts)
+    });
+}
+
+/// 20 inputs of three overlapping terms each, none with the corners of another; each rule names four of them.
+fn large() -> serde_json::Value {
+    let variables = (0..20).map(|input| {
+        let peak = 40 + input;
+        serde_json::json!({
+            "name": format!("v{input}"),
+            "range": [0, 100],
+            "terms": [{"ramp_down": [10, peak]}, {"tri": [10, peak, 90]}, {"ramp_up": [peak, 90]}],
+        })
+    });
+    let rule = |seed: usize| {
+        let mut cells = vec![serde_json::Value::Null; 20];
+        for cell in 0..4 {
+            cells[(seed * 7 + cell * (3 + seed % 4)) % 20] = ((seed / 3 + cell * seed) % 3).into();
+        }
+        serde_json::Value::Array(cells)
+    };
+    let (contributor, detractor): (Vec<_>, Vec<_>) = ((0..100).map(rule).collect(), (100..200).map(rule).collect());
+    serde_json::json!({
+        "name": "large",
+        "variables": variables.collect::<Vec<_>>(),
+        "events": [{"name": "e", "contributor": contributor, "detractor": detractor}],
+    })
+}

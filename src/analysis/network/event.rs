@@ -1,7 +1,6 @@
 //! All that is asked of one event.
 
 use super::engine::{Method, engine};
-use super::model::{EventModel, Model};
 use super::question::Question;
 use super::witness::{Readings, Witness};
 
@@ -59,13 +58,15 @@ pub struct RuleFacts {
 }
 
 impl EventFacts {
-    pub(super) fn new(model: &Model, event: &EventModel, states: &[usize], method: Method) -> Self {
+    pub(super) fn new(readings: &mut Readings<'_>, states: &[usize], method: Method) -> Self {
+        let event = readings.event;
         let levels = event.levels(states);
         let mut engine = engine(method, event, states, &levels);
-        let mut readings = Readings::new(model, event, states, &levels);
         let mut decide = |question: Question| {
             let found = question.conditions(event).iter().find_map(|condition| engine.find(condition));
-            found.map_or(Verdict::Never, |found| Verdict::Possible(readings.witness(&found)))
+            found.map_or(Verdict::Never, |found| {
+                Verdict::Possible(readings.witness(states, &levels[found.level], &found.patterns))
+            })
         };
         let [set, clear, tie, dead] = [Question::Set, Question::Clear, Question::Tie, Question::Dead].map(&mut decide);
         let mut facts = (0..event.rules).map(|rule| RuleFacts {

@@ -2,9 +2,17 @@
 
 use super::model::EventModel;
 
+/// Pairs of different events of which the first implies the second.
+pub(super) fn implications(events: &[EventModel]) -> Vec<(usize, usize)> {
+    let pairs = (0..events.len()).flat_map(|premise| (0..events.len()).map(move |conclusion| (premise, conclusion)));
+    pairs
+        .filter(|&(premise, conclusion)| premise != conclusion && implies(&events[premise], &events[conclusion]))
+        .collect()
+}
+
 /// Whether wherever `premise` is set, `conclusion` is: what speaks for the premise speaks for the conclusion, and what
 /// speaks against the conclusion speaks against the premise. `false` proves nothing.
-pub(super) fn implies(premise: &EventModel, conclusion: &EventModel) -> bool {
+fn implies(premise: &EventModel, conclusion: &EventModel) -> bool {
     let (premise_rules, conclusion_rules) = (premise.clauses(), conclusion.clauses());
     let (for_premise, against_premise) = premise_rules.split_at(premise.contributors);
     let (for_conclusion, against_conclusion) = conclusion_rules.split_at(conclusion.contributors);

@@ -8,7 +8,6 @@
 //! contradicts itself is handed back as a clause. There is no grid of levels: two levels cut a cell by slanted lines.
 
 use super::event::{EventFacts, Verdict};
-use super::implication::implies;
 use super::joint_bounds::{Bound, Bounds, Side};
 use super::linear::{self, Inequality};
 use super::model::{EventModel, Model};
@@ -31,46 +30,65 @@ pub(super) fn valuations<'a>(
     states: &[usize],
     facts: impl IntoIterator<Item = &'a EventFacts>,
 ) -> Vec<Valuation> {
-    let mut search = Search::new(model, states);
-    for (facts, set) in facts.into_iter().zip(search.set.clone()) {
+    let mut known = Known::new(model);
+    for (facts, set) in facts.into_iter().zip(known.set.clone()) {
         for (verdict, status) in [(&facts.set, set), (&facts.clear, !set)] {
             if !verdict.is_possible() {
-                search.solver.demand([!status]);
+                known.solver.demand([!status]);
             }
         }
         for witness in [&facts.set, &facts.clear, &facts.tie, &facts.dead].into_iter().filter_map(Verdict::witness) {
             let witness = model.complete_in(states, witness);
-            search.found(model.flags(states, &witness), witness);
+            known.found(model.flags(states, &witness), witness);
         }
     }
-    search.run();
-    search.valuations.sort_by(|one, other| one.set.cmp(&other.set));
-    search.valuations
+    // Often nothing is left to search for.
+    if known.solver.holds(&[]) {
+        known = Search::new(model, states, known).run();
+    }
+    known.valuations.sort_by(|one, other| one.set.cmp(&other.set));
+    known.valuations
 }
 
-struct Search<'a> {
-    model: &'a Model,
-    states: &'a [usize],
+/// The valuations found so far; the solver is to find another one.
+struct Known {
     solver: Solver,
-    bounds: Bounds,
     /// Whether each event is set.
     set: Vec<Proposition>,
     valuations: Vec<Valuation>,
 }
 
-impl<'a> Search<'a> {
-    fn new(model: &'a Model, states: &'a [usize]) -> Self {
+impl Known {
+    fn new(model: &Model) -> Self {
         let mut solver = Solver::default();
         let set: Vec<_> = model.events.iter().map(|_| solver.proposition()).collect();
-        for (premise, &holds) in model.events.iter().zip(&set) {
-            for (conclusion, &follows) in model.events.iter().zip(&set) {
-                if holds != follows && implies(premise, conclusion) {
-                    solver.demand([!holds, follows]);
-                }
-            }
+        for &(premise, conclusion) in &model.implications {
+            solver.demand([!set[premise], set[conclusion]]);
         }
-        let bounds = Bounds::new(model, states, &mut solver);
-        let mut search = Self { model, states, solver, bounds, set, valuations: Vec::new() };
+        Self { solver, set, valuations: Vec::new() }
+    }
+
+    fn found(&mut self, set: Vec<bool>, witness: Witness) {
+        if self.valuations.iter().all(|known| known.set != set) {
+            let other = self.set.iter().zip(&set).map(|(&status, &set)| if set { !status } else { status });
+            let other: Vec<_> = other.collect();
+            self.solver.demand(other);
+            self.valuations.push(Valuation { set, witness });
+        }
+    }
+}
+
+struct Search<'a> {
+    model: &'a Model,
+    states: &'a [usize],
+    known: Known,
+    bounds: Bounds,
+}
+
+impl<'a> Search<'a> {
+    fn new(model: &'a Model, states: &'a [usize], mut known: Known) -> Self {
+        let bounds = Bounds::new(model, states, &mut known.solver);
+        let mut search = Self { model, states, known, bounds };
         for (position, event) in model.events.iter().enumerate() {
             search.demand_event(position, event);
         }
@@ -83,79 +101,84 @@ impl<'a> Search<'a> {
         let clauses = event.clauses();
         let (contributors, detractors) = clauses.split_at(event.contributors);
         for (is_set, high, low) in [(true, contributors, detractors), (false, detractors, contributors)] {
-            let status = if is_set { self.set[position] } else { !self.set[position] };
+            let status = if is_set { self.known.set[position] } else { !self.known.set[position] };
             let mut some_high = vec![!status];
             if !is_set {
                 // A level of 0 is reached by an empty side too.
-                some_high.push(self.bounds.constant(&mut self.solver, position, Side::Above, is_set, Fraction::ZERO));
+                some_high.push(self.bounds.constant(
+                    &mut self.known.solver,
+                    position,
+                    Side::Above,
+                    is_set,
+                    Fraction::ZERO,
+                ));
             }
             for rule in high {
-                let all = self.solver.proposition();
+                let all = self.known.solver.proposition();
                 for (input, literals) in rule {
                     let any = literals.iter().map(|&literal| {
-                        self.bounds.literal(&mut self.solver, position, Side::Above, is_set, (*input, literal))
+                        self.bounds.literal(&mut self.known.solver, position, Side::Above, is_set, (*input, literal))
                     });
                     let any: Vec<_> = any.chain([!all]).collect();
-                    self.solver.demand(any);
+                    self.known.solver.demand(any);
                 }
                 if rule.is_empty() {
-                    let one = self.bounds.constant(&mut self.solver, position, Side::Above, is_set, Fraction::ONE);
-                    self.solver.demand([!all, one]);
+                    let one =
+                        self.bounds.constant(&mut self.known.solver, position, Side::Above, is_set, Fraction::ONE);
+                    self.known.solver.demand([!all, one]);
                 }
                 some_high.push(all);
             }
-            self.solver.demand(some_high);
+            self.known.solver.demand(some_high);
             for rule in low {
                 let mut some_low = vec![!status];
                 for (input, literals) in rule {
-                    let all = self.solver.proposition();
+                    let all = self.known.solver.proposition();
                     for &literal in *literals {
-                        let below =
-                            self.bounds.literal(&mut self.solver, position, Side::Below, is_set, (*input, literal));
-                        self.solver.demand([!all, below]);
+                        let below = self.bounds.literal(
+                            &mut self.known.solver,
+                            position,
+                            Side::Below,
+                            is_set,
+                            (*input, literal),
+                        );
+                        self.known.solver.demand([!all, below]);
                     }
                     if literals.is_empty() {
                         let zero =
-                            self.bounds.constant(&mut self.solver, position, Side::Below, is_set, Fraction::ZERO);
-                        self.solver.demand([!all, zero]);
+                            self.bounds.constant(&mut self.known.solver, position, Side::Below, is_set, Fraction::ZERO);
+                        self.known.solver.demand([!all, zero]);
                     }
                     some_low.push(all);
                 }
                 if rule.is_empty() {
-                    let one = self.bounds.constant(&mut self.solver, position, Side::Below, is_set, Fraction::ONE);
+                    let one =
+                        self.bounds.constant(&mut self.known.solver, position, Side::Below, is_set, Fraction::ONE);
                     some_low.push(one);
                 }
-                self.solver.demand(some_low);
+                self.known.solver.demand(some_low);
             }
         }
     }
 
-    fn run(&mut self) {
-        while self.solver.holds(&[]) {
-            let set: Vec<_> = self.set.iter().map(|&set| self.solver.value(set)).collect();
+    fn run(mut self) -> Known {
+        while self.known.solver.holds(&[]) {
+            let set: Vec<_> = self.known.set.iter().map(|&set| self.known.solver.value(set)).collect();
             let (inequalities, reasons) = self.inequalities(&set);
             match linear::solve(self.bounds.unknowns(), inequalities) {
                 Ok(values) => {
                     let witness = self.witness(&values);
-                    self.found(set, witness);
+                    self.known.found(set, witness);
                 }
                 Err(because) => {
                     let mut clause: Vec<_> = because.iter().flat_map(|&reason| &reasons[reason]).map(|&p| !p).collect();
                     clause.sort_unstable();
                     clause.dedup();
-                    self.solver.demand(clause);
+                    self.known.solver.demand(clause);
                 }
             }
         }
-    }
-
-    fn found(&mut self, set: Vec<bool>, witness: Witness) {
-        if self.valuations.iter().all(|known| known.set != set) {
-            let other = self.set.iter().zip(&set).map(|(&status, &set)| if set { !status } else { status });
-            let other: Vec<_> = other.collect();
-            self.solver.demand(other);
-            self.valuations.push(Valuation { set, witness });
-        }
+        self.known
     }
 
     /// What the bounds of the model found last say of places and levels, with the propositions each follows from.
@@ -163,7 +186,7 @@ impl<'a> Search<'a> {
         let mut inequalities = self.bounds.domains();
         let mut reasons = Vec::new();
         for bound in &self.bounds.all {
-            if bound.when_set == set[bound.event] && self.solver.value(bound.proposition) {
+            if bound.when_set == set[bound.event] && self.known.solver.value(bound.proposition) {
                 let (inequality, reason) = self.inequality(bound, reasons.len());
                 inequalities.push(inequality);
                 reasons.push(reason);
@@ -178,7 +201,7 @@ impl<'a> Search<'a> {
         let (constant, slope) = match bound.literal {
             None => (bound.constant.clone(), None),
             Some((input, literal)) => {
-                let chosen = self.bounds.chosen(&self.solver, input);
+                let chosen = self.bounds.chosen(&self.known.solver, input);
                 reason.extend(self.bounds.cells[input].get(chosen));
                 let (from, to) = &self.model.inputs[input].sensors[self.states[input]].cells[chosen].degrees[literal];
                 (from.clone(), Some((input, to - from)).filter(|(_, slope)| !slope.is_zero()))
@@ -198,7 +221,7 @@ impl<'a> Search<'a> {
 
     fn witness(&self, values: &[Fraction]) -> Witness {
         let readings = self.model.inputs.iter().enumerate().map(|(position, input)| {
-            let cell = &input.sensors[self.states[position]].cells[self.bounds.chosen(&self.solver, position)];
+            let cell = &input.sensors[self.states[position]].cells[self.bounds.chosen(&self.known.solver, position)];
             Some(Reading { fraction: cell.reading(&values[position])?, pi: input.pi })
         });
         Witness { readings: readings.collect() }

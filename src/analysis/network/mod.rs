@@ -32,6 +32,7 @@ pub use witness::{Reading, Witness};
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use self::witness::Readings;
 use crate::base::Id;
 use crate::ir::{self, Program};
 
@@ -59,13 +60,14 @@ impl Model {
     /// The same by a method of one's choice; every method gives the same verdicts.
     pub fn facts_by(&self, method: Method, up_to: usize) -> Vec<NetworkFacts> {
         let mut known: HashMap<(usize, Vec<usize>), Arc<EventFacts>> = HashMap::new();
+        let mut readings: Vec<_> = self.events.iter().map(|event| Readings::new(self, event)).collect();
         let facts = self.fault_sets(up_to).into_iter().map(|faults| {
             let states = self.states(&faults);
-            let events = self.events.iter().enumerate().map(|(position, event)| {
+            let events = self.events.iter().zip(&mut readings).enumerate().map(|(position, (event, readings))| {
                 // What no rule of the event names does not touch it.
                 let touching = event.uses.iter().map(|named| states[named.input]).collect();
                 let facts = known.entry((position, touching));
-                Arc::clone(facts.or_insert_with(|| Arc::new(EventFacts::new(self, event, &states, method))))
+                Arc::clone(facts.or_insert_with(|| Arc::new(EventFacts::new(readings, &states, method))))
             });
             let events = events.collect();
             NetworkFacts { faults, events }

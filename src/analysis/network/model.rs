@@ -2,6 +2,7 @@
 
 use super::curve::Curve;
 use super::faults::{FaultSet, fault_sets};
+use super::implication::implications;
 use super::sensor::Sensor;
 use super::slices::{Pattern, Slices};
 use crate::analysis::breakpoints;
@@ -22,6 +23,8 @@ pub struct Feed {
 pub struct Model {
     pub(super) inputs: Vec<Input>,
     pub(super) events: Vec<EventModel>,
+    /// Pairs of events of which the first implies the second by the form of their rules.
+    pub(super) implications: Vec<(usize, usize)>,
 }
 
 /// An input of a network.
@@ -96,8 +99,9 @@ impl Model {
         });
         let inputs: Vec<Input> = inputs.collect::<Option<_>>()?;
         let event = |event: &ir::Event| EventModel::new(&event.contributor, &event.detractor, &inputs);
-        let events = network.events.iter().map(event).collect();
-        Some(Self { inputs, events })
+        let events: Vec<_> = network.events.iter().map(event).collect();
+        let implications = implications(&events);
+        Some(Self { inputs, events, implications })
     }
 
     /// Every set of at most `up_to` failures, smallest first.

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::engine::Found;
 use super::faults::FaultSet;
 use super::model::{EventModel, Level, Model};
 use super::slices;
@@ -49,32 +48,32 @@ impl Model {
     }
 }
 
-/// The readings for patterns at the levels of an event, each found once.
+/// The readings for patterns at the levels of an event, each found once for all fault sets.
 pub(super) struct Readings<'a> {
-    model: &'a Model,
-    event: &'a EventModel,
-    states: &'a [usize],
-    levels: &'a [Level],
-    /// By level, input in use and pattern.
-    known: HashMap<[usize; 3], Option<Reading>>,
+    pub(super) model: &'a Model,
+    pub(super) event: &'a EventModel,
+    known: HashMap<Key, Option<Reading>>,
 }
 
+/// The position of an input among those in use, its state, a pattern, and the level at which it has it.
+type Key = (usize, usize, usize, Fraction);
+
 impl<'a> Readings<'a> {
-    pub(super) fn new(model: &'a Model, event: &'a EventModel, states: &'a [usize], levels: &'a [Level]) -> Self {
-        Self { model, event, states, levels, known: HashMap::new() }
+    pub(super) fn new(model: &'a Model, event: &'a EventModel) -> Self {
+        Self { model, event, known: HashMap::new() }
     }
 
-    /// The readings for what an engine found. Only the inputs that the event uses matter.
-    pub(super) fn witness(&mut self, found: &Found) -> Witness {
+    /// The readings for one pattern of each input in use at a level. Only these inputs matter.
+    pub(super) fn witness(&mut self, states: &[usize], level: &Level, patterns: &[usize]) -> Witness {
         let mut readings = vec![None; self.model.inputs.len()];
-        let level = &self.levels[found.level];
-        for (position, (named, &pattern)) in self.event.uses.iter().zip(&found.patterns).enumerate() {
-            let reading = self.known.entry([found.level, position, pattern]).or_insert_with(|| {
+        for (position, (named, &pattern)) in self.event.uses.iter().zip(patterns).enumerate() {
+            let state = states[named.input];
+            let key = (position, state, pattern, level.value.clone());
+            let reading = self.known.entry(key).or_insert_with(|| {
                 let input = &self.model.inputs[named.input];
                 let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
-                let wanted = &named.patterns(self.states, level)[pattern];
-                let sensor = &input.sensors[self.states[named.input]];
-                let fraction = slices::reading(sensor, &choices, &level.value, wanted)?;
+                let wanted = &named.patterns(states, level)[pattern];
+                let fraction = slices::reading(&input.sensors[state], &choices, &level.value, wanted)?;
                 Some(Reading { fraction, pi: input.pi })
             });
             readings[named.input].clone_from(reading);
