@@ -15,7 +15,7 @@ use lmslc::analysis::network::{Model, analyze};
 use lmslc::base::Id;
 
 #[path = "../tests/it/golden_reader.rs"]
-#[expect(dead_code, reason = "the tests use the rest of it")]
+#[expect(dead_code, clippy::panic, clippy::disallowed_methods, reason = "the tests' reader")]
 mod golden_reader;
 
 /// Paths of the reader.

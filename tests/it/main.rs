@@ -13,6 +13,7 @@ mod golden;
 mod golden_reader;
 mod limits;
 mod network;
+mod network_more;
 mod pages;
 mod sessions;
 mod support;

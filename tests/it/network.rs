@@ -21,7 +21,7 @@ impl Seeded {
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % bound as u64).cast_signed()
+        i64::try_from(z >> 33).unwrap() % bound
     }
 
     fn ascending<const N: usize>(&mut self) -> [i64; N] {
@@ -32,7 +32,7 @@ impl Seeded {
 }
 
 /// A random network with sets of terms and complements in its rules, and inputs that can fail.
-fn random(seed: u64) -> Program {
+pub fn random(seed: u64) -> Program {
     let mut seeded = Seeded(seed);
     let inputs = 1 + seeded.below(3);
     let mut counts = Vec::new();
@@ -95,6 +95,11 @@ fn networks() -> impl Iterator<Item = (Program, usize)> {
     golden.chain((0..50).map(|seed| (random(seed), 2)))
 }
 
+/// The plan of a network, to run it.
+pub fn replayable(program: &Program, sources: &Sources) -> NetworkPlan {
+    build_network(Checked::new(program, sources, &[]).unwrap(), Id::new(0))
+}
+
 /// Every verdict about an event, in a fixed order.
 fn verdicts(facts: &EventFacts) -> Vec<&Verdict> {
     let rules = facts.contributor.iter().chain(&facts.detractor);
@@ -112,10 +117,10 @@ fn statuses(model: &Model, facts: &NetworkFacts) -> Vec<Vec<bool>> {
 }
 
 /// The rules of an event at some readings, as the interpreter has them.
-struct Replay {
+pub struct Replay {
     contributors: Vec<f64>,
     detractors: Vec<f64>,
-    set: bool,
+    pub set: bool,
 }
 
 fn largest(strengths: impl IntoIterator<Item = f64>) -> f64 {
@@ -127,7 +132,7 @@ fn without(strengths: &[f64], rule: usize) -> f64 {
 }
 
 impl Replay {
-    fn all(plan: &NetworkPlan, readings: &[f64]) -> Vec<Self> {
+    pub fn all(plan: &NetworkPlan, readings: &[f64]) -> Vec<Self> {
         let readings: Vec<_> = readings.iter().map(|&value| Reading { value, healthy: true }).collect();
         let mut evaluator = Evaluator::new(plan);
         evaluator.evaluate(&readings, 0);
@@ -140,7 +145,7 @@ impl Replay {
         events.map(replay).collect()
     }
 
-    fn margin(&self) -> f64 {
+    pub fn margin(&self) -> f64 {
         largest(self.contributors.iter().copied()) - largest(self.detractors.iter().copied())
     }
 
@@ -165,7 +170,7 @@ impl Replay {
 
 /// The readings of a witness as the interpreter takes them: none where some sensor gives none, or is stuck beyond its
 /// range.
-fn numbers(plan: &NetworkPlan, model: &Model, faults: &FaultSet, witness: &Witness) -> Option<Vec<f64>> {
+pub fn numbers(plan: &NetworkPlan, model: &Model, faults: &FaultSet, witness: &Witness) -> Option<Vec<f64>> {
     let complete = model.complete(faults, witness);
     let numbers = complete.readings.iter().zip(&plan.inputs).map(|(reading, input)| {
         let number = reading.as_ref()?.to_f64();
@@ -179,7 +184,7 @@ fn every_witness_replays() {
     let (mut replayed, mut close) = (0, 0);
     for (program, up_to) in networks() {
         let sources = Sources::default();
-        let plan = build_network(Checked::new(&program, &sources, &[]).unwrap(), Id::new(0));
+        let plan = replayable(&program, &sources);
         let model = Model::new(&program, Id::new(0)).unwrap();
         for facts in model.facts(up_to) {
             let place = format!("{} {:?}", program.networks[Id::new(0)].symbol.name, facts.faults);
@@ -226,7 +231,7 @@ fn readings_on_a_grid_contradict_no_proof() {
     for seed in 0..60 {
         let program = random(seed);
         let sources = Sources::default();
-        let plan = build_network(Checked::new(&program, &sources, &[]).unwrap(), Id::new(0));
+        let plan = replayable(&program, &sources);
         let model = Model::new(&program, Id::new(0)).unwrap();
         let facts = &model.facts(0)[0];
         let known = statuses(&model, facts);

@@ -145,8 +145,8 @@ mod tests {
         for inequality in &system {
             let sum = inequality.factors.iter().map(|(unknown, factor)| &values[*unknown] * factor);
             let sum = sum.fold(inequality.constant.clone(), |sum, part| &sum + &part);
-            let holds = if inequality.strict { !sum.is_negative() && !sum.is_zero() } else { !sum.is_negative() };
-            assert!(holds, "{values:?}");
+            let met = if inequality.strict { sum > Fraction::ZERO } else { sum >= Fraction::ZERO };
+            assert!(met, "{values:?}");
         }
         // x >= 4/3 touches y > 2 x and x + y <= 4 in one point that the strict one leaves out.
         system.push(inequality(&[(0, 3)], -4, false, 4));

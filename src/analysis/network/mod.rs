@@ -12,21 +12,29 @@ mod fold;
 mod implication;
 mod joint;
 mod joint_bounds;
+mod likeness;
 mod linear;
+mod margin;
 mod model;
+mod proof;
 mod question;
 mod sat;
 mod sensor;
 mod slices;
 mod solver;
 mod strength;
+mod survivors;
 mod witness;
 
 pub use engine::Method;
 pub use event::{EventFacts, RuleFacts, Verdict};
 pub use faults::{Fault, FaultSet, fault_sets};
 pub use joint::Valuation;
+pub use likeness::{Relation, relations};
 pub use model::{Feed, Model};
+pub use proof::Proof;
+pub use question::Question;
+pub use survivors::{SingleRule, Survivors};
 pub use witness::{Reading, Witness};
 
 use std::collections::HashMap;
@@ -73,6 +81,13 @@ impl Model {
             NetworkFacts { faults, events }
         });
         facts.collect()
+    }
+
+    /// What is known under one set of failures.
+    pub fn facts_under(&self, faults: &FaultSet) -> NetworkFacts {
+        let states = self.states(faults);
+        let facts = |event| Arc::new(EventFacts::new(&mut Readings::new(self, event), &states, Method::Fitting));
+        NetworkFacts { faults: faults.clone(), events: self.events.iter().map(facts).collect() }
     }
 
     /// Which statuses the events can have together under the failures that some facts are about, sorted. An event with

@@ -33,7 +33,7 @@ pub(super) struct Input {
     /// Readings are in units of this power of π.
     pub(super) pi: i8,
     /// The literals that some rule of the network names.
-    literals: Vec<Literal>,
+    pub(super) literals: Vec<Literal>,
     fails: Vec<FailReading>,
     /// Healthy, then failed in each way.
     pub(super) sensors: Vec<Sensor>,
@@ -72,6 +72,9 @@ pub(super) struct Choice {
     pub(super) rules: Vec<usize>,
 }
 
+/// An input and the literals of it of which the largest degree counts.
+pub(super) type Clause = (usize, Vec<usize>);
+
 impl Model {
     /// A network on its own: its variables say what feeds it. `None` where a variable is broken, which is reported
     /// elsewhere.
@@ -99,9 +102,13 @@ impl Model {
         });
         let inputs: Vec<Input> = inputs.collect::<Option<_>>()?;
         let event = |event: &ir::Event| EventModel::new(&event.contributor, &event.detractor, &inputs);
-        let events: Vec<_> = network.events.iter().map(event).collect();
+        let events = network.events.iter().map(event).collect();
+        Some(Self::of_events(inputs, events))
+    }
+
+    pub(super) fn of_events(inputs: Vec<Input>, events: Vec<EventModel>) -> Self {
         let implications = implications(&events);
-        Some(Self { inputs, events, implications })
+        Self { inputs, events, implications }
     }
 
     /// Every set of at most `up_to` failures, smallest first.
@@ -150,18 +157,26 @@ impl Use {
 }
 
 impl EventModel {
-    pub(super) fn new(contributor: &[Rule], detractor: &[Rule], inputs: &[Input]) -> Self {
+    fn new(contributor: &[Rule], detractor: &[Rule], inputs: &[Input]) -> Self {
+        let clause = |clause: &ir::Clause| {
+            let input = clause.input as usize;
+            let known = &inputs[input].literals;
+            (input, clause.any_of.iter().filter_map(|literal| known.binary_search(literal).ok()).collect())
+        };
+        let rules = contributor.iter().chain(detractor).map(|rule| rule.clauses.iter().map(clause).collect());
+        Self::of_clauses(rules.collect(), contributor.len(), inputs)
+    }
+
+    /// An event with these rules, of which so many contribute, each the smallest of its clauses.
+    pub(super) fn of_clauses(rules: Vec<Vec<Clause>>, contributors: usize, inputs: &[Input]) -> Self {
+        let count = rules.len();
         let mut uses: Vec<Use> = Vec::new();
         let mut unconditional = Vec::new();
-        for (rule, written) in contributor.iter().chain(detractor).enumerate() {
-            if written.clauses.is_empty() {
+        for (rule, clauses) in rules.into_iter().enumerate() {
+            if clauses.is_empty() {
                 unconditional.push(rule);
             }
-            for clause in &written.clauses {
-                let input = clause.input as usize;
-                let known = &inputs[input].literals;
-                let literals = clause.any_of.iter().filter_map(|literal| known.binary_search(literal).ok());
-                let literals: Vec<_> = literals.collect();
+            for (input, literals) in clauses {
                 let position = uses.iter().position(|known| known.input == input).unwrap_or_else(|| {
                     uses.push(Use { input, choices: Vec::new(), slices: Vec::new() });
                     uses.len() - 1
@@ -178,7 +193,7 @@ impl EventModel {
             let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
             named.slices = inputs[named.input].sensors.iter().map(|sensor| Slices::new(sensor, &choices)).collect();
         }
-        Self { contributors: contributor.len(), rules: contributor.len() + detractor.len(), unconditional, uses }
+        Self { contributors, rules: count, unconditional, uses }
     }
 
     /// The clauses of every rule: an input and the literals of which the largest degree counts.

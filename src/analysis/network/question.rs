@@ -22,7 +22,7 @@ use super::model::{EventModel, Level};
 
 /// What can be asked of one event. Rules are counted through, contributors first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Question {
+pub enum Question {
     /// Can the flag be set?
     Set,
     /// Can the flag be clear?

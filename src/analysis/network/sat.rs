@@ -19,8 +19,12 @@ pub(super) struct Sat<'a> {
 }
 
 /// What can be at one level.
-struct Problem {
-    solver: Solver,
+pub(super) struct Problem {
+    pub(super) solver: Solver,
+    /// By input in use: it has one of its patterns.
+    pub(super) inputs_hold: Vec<Proposition>,
+    /// By rule: its strength is the smallest of its clauses.
+    pub(super) rules_hold: Vec<Proposition>,
     /// By input in use: which pattern it has.
     patterns: Vec<Vec<Proposition>>,
     /// By rule: not below, and above.
@@ -52,7 +56,11 @@ impl Engine for Sat<'_> {
         }
         for (index, level) in self.levels.iter().enumerate() {
             if condition.levels.hold(level) {
-                let problem = self.problems[index].get_or_insert_with(|| Problem::new(self.event, self.states, level));
+                let problem = self.problems[index].get_or_insert_with(|| {
+                    let mut problem = Problem::new(self.event, self.states, level);
+                    problem.settle();
+                    problem
+                });
                 let assumptions = problem.assumptions(self.event, level, condition);
                 if problem.solver.holds(&assumptions) {
                     let found = Found { level: index, patterns: problem.chosen() };
@@ -66,7 +74,8 @@ impl Engine for Sat<'_> {
 }
 
 impl Problem {
-    fn new(event: &EventModel, states: &[usize], level: &Level) -> Self {
+    /// Nothing is known yet of inputs and rules; each can be assumed to hold.
+    pub(super) fn new(event: &EventModel, states: &[usize], level: &Level) -> Self {
         let mut solver = Solver::default();
         let compared = |solver: &mut Solver| {
             let compared = Compared { reaches: solver.proposition(), above: solver.proposition() };
@@ -74,16 +83,18 @@ impl Problem {
             compared
         };
         let rules: Vec<_> = (0..event.rules).map(|_| compared(&mut solver)).collect();
+        let inputs_hold: Vec<_> = event.uses.iter().map(|_| solver.proposition()).collect();
+        let rules_hold: Vec<_> = rules.iter().map(|_| solver.proposition()).collect();
         let mut clauses: Vec<Vec<Compared>> = vec![Vec::new(); event.rules];
         let mut patterns = Vec::with_capacity(event.uses.len());
-        for named in &event.uses {
+        for (named, &holds) in event.uses.iter().zip(&inputs_hold) {
             let choices: Vec<_> = named.choices.iter().map(|_| compared(&mut solver)).collect();
             for (choice, &compared) in named.choices.iter().zip(&choices) {
                 choice.rules.iter().for_each(|&rule| clauses[rule].push(compared));
             }
             let signs = named.patterns(states, level);
             let chosen: Vec<_> = signs.iter().map(|_| solver.proposition()).collect();
-            solver.demand(chosen.iter().copied());
+            solver.demand(chosen.iter().copied().chain([!holds]));
             for (&chosen, signs) in chosen.iter().zip(signs) {
                 for (sign, choice) in signs.iter().zip(&choices) {
                     solver.demand([!chosen, if sign.is_ge() { choice.reaches } else { !choice.reaches }]);
@@ -92,14 +103,14 @@ impl Problem {
             }
             patterns.push(chosen);
         }
-        for (rule, clauses) in rules.iter().zip(&clauses) {
+        for ((rule, clauses), &holds) in rules.iter().zip(&clauses).zip(&rules_hold) {
             // Without clauses a rule's strength is 1, which is above every level but 1.
             let above_nothing = clauses.is_empty() && level.value == Fraction::ONE;
-            both_ways(&mut solver, rule.reaches, clauses.iter().map(|clause| clause.reaches));
+            both_ways(&mut solver, holds, rule.reaches, clauses.iter().map(|clause| clause.reaches));
             if above_nothing {
-                solver.demand([!rule.above]);
+                solver.demand([!holds, !rule.above]);
             } else {
-                both_ways(&mut solver, rule.above, clauses.iter().map(|clause| clause.above));
+                both_ways(&mut solver, holds, rule.above, clauses.iter().map(|clause| clause.above));
             }
         }
         let mut side = |rules: &[Compared]| {
@@ -110,10 +121,18 @@ impl Problem {
         };
         let (contributors, detractors) = rules.split_at(event.contributors);
         let (contributors, detractors) = (side(contributors), side(detractors));
-        Self { solver, patterns, rules, contributors, detractors }
+        Self { solver, inputs_hold, rules_hold, patterns, rules, contributors, detractors }
     }
 
-    fn assumptions(&self, event: &EventModel, level: &Level, condition: &Condition) -> Vec<Proposition> {
+    /// All inputs and rules hold from now on.
+    fn settle(&mut self) {
+        for &holds in self.inputs_hold.iter().chain(&self.rules_hold) {
+            self.solver.demand([holds]);
+        }
+    }
+
+    /// What a condition demands at the level.
+    pub(super) fn assumptions(&self, event: &EventModel, level: &Level, condition: &Condition) -> Vec<Proposition> {
         let some = |rules: Rules| match rules {
             Rules::One(rule) => self.rules[rule],
             Rules::Contributors => self.contributors,
@@ -142,10 +161,15 @@ impl Problem {
     }
 }
 
-/// Demands that `whole` holds exactly where all parts do.
-fn both_ways(solver: &mut Solver, whole: Proposition, parts: impl Iterator<Item = Proposition> + Clone) {
+/// Demands that, where something is assumed, `whole` holds exactly where all parts do.
+fn both_ways(
+    solver: &mut Solver,
+    assumed: Proposition,
+    whole: Proposition,
+    parts: impl Iterator<Item = Proposition> + Clone,
+) {
     for part in parts.clone() {
-        solver.demand([!whole, part]);
+        solver.demand([!assumed, !whole, part]);
     }
-    solver.demand(parts.map(|part| !part).chain([whole]));
+    solver.demand(parts.map(|part| !part).chain([!assumed, whole]));
 }
