@@ -353,3 +353,17 @@ fn one_more_contributor_never_makes_an_event_harder_to_set() {
         }
     }
 }
+
+#[test]
+fn both_engines_agree_on_more_rules_than_a_word_holds() {
+    for seed in 0..10 {
+        let mut program = random(seed);
+        for event in &mut program.networks[Id::new(0)].events {
+            event.contributor = vec![event.contributor.clone(); 40].concat();
+            event.detractor = vec![event.detractor.clone(); 30].concat();
+        }
+        let model = Model::new(&program, Id::new(0)).unwrap();
+        let solved = model.facts_by(Method::Solving, 0);
+        assert_eq!(shape(&model.facts(0)[0]), shape(&solved[0]), "{seed}");
+    }
+}
