@@ -7,7 +7,7 @@ use std::fmt;
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
-use num_traits::{CheckedDiv, CheckedMul, Signed, ToPrimitive, Zero};
+use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Signed, ToPrimitive, Zero};
 
 use super::Fraction;
 
@@ -83,6 +83,43 @@ impl Exact {
         }
         let ratio = self.ratio.checked_div(&other.ratio)?;
         Some(Self { ratio, pi: if ratio.is_zero() { 0 } else { self.pi.checked_sub(other.pi)? } })
+    }
+
+    /// The sum; `None` also for different powers of π.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Option<Self> {
+        let pi = self.common_pi(other)?;
+        let ratio = self.ratio.checked_add(&other.ratio)?;
+        Some(Self { ratio, pi: if ratio.is_zero() { 0 } else { pi } })
+    }
+
+    /// The difference; `None` also for different powers of π.
+    #[must_use]
+    pub fn minus(self, other: Self) -> Option<Self> {
+        let pi = self.common_pi(other)?;
+        let ratio = self.ratio.checked_sub(&other.ratio)?;
+        Some(Self { ratio, pi: if ratio.is_zero() { 0 } else { pi } })
+    }
+
+    /// The power of π of two numbers; zero has whichever is wanted.
+    fn common_pi(self, other: Self) -> Option<i8> {
+        match (self.is_zero(), other.is_zero()) {
+            (true, _) => Some(other.pi),
+            (_, true) => Some(self.pi),
+            _ => (self.pi == other.pi).then_some(self.pi),
+        }
+    }
+
+    /// A number strictly between two: their mean where it can be kept exactly.
+    #[must_use]
+    pub fn between(self, other: Self) -> Option<Self> {
+        let mean = self.plus(other).and_then(|sum| sum.over(Self::new(2, 1, 0)));
+        let near = || {
+            let ratio = Ratio::approximate_float(f64::midpoint(self.to_f64(), other.to_f64()))?;
+            Some(Self { ratio, pi: 0 })
+        };
+        let (low, high) = (self.min(other), self.max(other));
+        mean.or_else(near).filter(|between| low < *between && *between < high)
     }
 
     /// This number to a whole power.
@@ -303,6 +340,18 @@ mod tests {
         let half_turn = Exact::new(1, 1, 1);
         assert!(Exact::parse("3.14159265358979").unwrap() < half_turn);
         assert!(Exact::parse("3.14159265358980").unwrap() > half_turn);
+    }
+
+    #[test]
+    fn sums_keep_their_power_of_pi() {
+        let (quarter, half) = (Exact::new(1, 2, 1), Exact::new(1, 1, 1));
+        assert_eq!(quarter.plus(quarter), Some(half));
+        assert_eq!(half.minus(half), Some(Exact::ZERO));
+        assert_eq!(half.plus(Exact::ONE), None);
+        assert_eq!(Exact::ZERO.between(half), Some(quarter));
+        let mixed = half.between(Exact::ONE).unwrap();
+        assert!(Exact::ONE < mixed && mixed < half);
+        assert_eq!(half.between(half), None);
     }
 
     #[test]
