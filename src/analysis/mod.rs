@@ -9,6 +9,7 @@ mod breakpoints;
 mod coverage;
 mod exits;
 mod fault_table;
+pub mod modes;
 pub mod network;
 mod priorities;
 mod reachability;
@@ -20,7 +21,7 @@ pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, fault_table};
 use crate::diag::Diagnostic;
 use crate::ir::Program;
 
-/// Every finding about a program, in no particular order. Linear in its size.
+/// Every finding about a program, in no particular order. Linear in its size, and in the cases of each mode.
 pub fn run(program: &Program) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     for variable in program.variables.values() {
@@ -32,6 +33,7 @@ pub fn run(program: &Program) -> Vec<Diagnostic> {
         exits::check(diagram, &mut findings);
         requirements::check(diagram, program, &mut findings);
         reachability::check(diagram, &mut findings);
+        modes::check(program, diagram, &mut findings);
     }
     findings
 }

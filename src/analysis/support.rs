@@ -4,7 +4,7 @@ use crate::base::Exact;
 use crate::ir::Shape;
 
 /// A cut between readings: just before a number, or just after it. Cuts order as they lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Cut {
     pub(super) at: Exact,
     pub(super) after: bool,

@@ -105,8 +105,8 @@ fn an_inhibited_target_lets_the_next_transition_through() {
     let plan = build(
         "entry a
          mode a { halt()  1: x > 1 -> b  2: x > 1 -> c }
-         mode b requires y else c { halt()  1: x > 9 -> a }
-         mode c { halt()  1: x > 9 -> a }",
+         mode b requires y else c { halt()  1: x < 1 -> a }
+         mode c { halt()  1: x < 1 -> a }",
     );
     let mut run = Run::new(&plan);
     run.step(0.0, 0.0);
@@ -169,7 +169,7 @@ fn commands_run_in_the_tick_that_entered_exit_before_enter() {
     let plan = build(
         "entry a
          mode a { go(1 m/s)  on exit { ring(1) }  1: x > 1 -> b }
-         mode b { halt()  on enter { ring(2) }  1: x > 9 -> a }",
+         mode b { halt()  on enter { ring(2) }  1: after 1 s -> a }",
     );
     let mut run = Run::new(&plan);
     run.step(0.0, 0.0);
@@ -332,7 +332,7 @@ fn what_a_tick_did_is_told() {
     let plan = build(
         "entry a
          mode a { halt()  1: x > 1 -> b }
-         mode b requires y else a { halt()  1: x > 9 -> a }",
+         mode b requires y else a { halt()  1: x < 1 -> a }",
     );
     let mut machine = Machine::new(&plan, 0);
     let mut tick = |x: f64, healthy: bool| {

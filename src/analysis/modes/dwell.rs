@@ -1,0 +1,241 @@
+//! One mode under one set of faults: which exits are taken, tick by tick, timer by timer.
+//!
+//! A mode's thresholds of `after` and its counters cut its stay into states. The machine gets from one state to a
+//! later one if some feasible tick takes no exit. Ticks are taken to be shorter than the time between two thresholds.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::faults::{self, FaultSet};
+use super::formula::{Atom, Formula, compare};
+use super::ticks::{Scene, Tick, feasible};
+use crate::base::{Exact, Id};
+use crate::ir::{Mode, Sensor};
+
+/// What can happen in a mode under some faults.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Stay {
+    /// Its transitions in order.
+    pub(super) exits: Vec<Exit>,
+    /// Whether some first tick takes no exit.
+    pub(super) lasts: bool,
+    /// Where the machine goes at once because a required sensor has failed; no exit is then tried.
+    pub(super) lost: Option<Id<Mode>>,
+}
+
+/// What can happen to a transition.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Exit {
+    /// How it is taken, if it can be.
+    pub(super) taken: Option<Way>,
+    /// Whether its condition holds on some tick of the mode.
+    pub(super) holds: bool,
+    /// Whether its condition fails on some tick of the mode.
+    pub(super) fails: bool,
+    /// Whether its condition would hold after a time that the mode never lasts.
+    pub(super) holds_later: bool,
+    /// For each kind of tick on which its condition holds: the transitions before it that could be taken, as bits.
+    pub(super) masks: BTreeSet<u64>,
+}
+
+/// A way through a mode.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Way {
+    /// Not excluded, but no readings are known that go it.
+    Open,
+    /// Ticks after the one that entered the mode. The last one takes the exit.
+    Shown(Vec<Moment>),
+}
+
+/// What the machine is told on a tick.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Moment {
+    /// Nanoseconds since the mode was entered.
+    pub dwell: u64,
+    /// Whether the mode's action reports completion.
+    pub done: bool,
+    /// Readings in SI; those of other sensors do not matter.
+    pub readings: Vec<(Id<Sensor>, Exact)>,
+}
+
+/// More states than this are not looked into.
+const MOST_STATES: usize = 1 << 10;
+/// Counters are followed up to here.
+const MOST_EDGES: i128 = 64;
+
+/// A stretch of a mode: the thresholds passed, and the edges counted.
+type State = (usize, Vec<u32>);
+
+/// What can happen in a mode; `None` where it has too many cases to look into.
+pub(super) fn stay(scene: &Scene<'_>, mode: &Mode, formula: &Formula, faults: &FaultSet) -> Option<Stay> {
+    let inhibited = |target: Id<Mode>| {
+        scene.diagram.modes[target].requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor))
+    };
+    let lost = mode.otherwise.filter(|otherwise| !inhibited(*otherwise));
+    if lost.is_some() && mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor)) {
+        return Some(Stay { exits: vec![Exit::default(); mode.transitions.len()], lasts: false, lost });
+    }
+    let open: Vec<_> = mode.transitions.iter().map(|transition| !transition.target.is_some_and(inhibited)).collect();
+    let clock = Clock::new(formula)?;
+    let ticks = feasible(scene, formula, faults)?;
+    let mut stay = Stay { exits: vec![Exit::default(); mode.transitions.len()], lasts: false, lost: None };
+
+    let start = (0, vec![0; clock.counters.len()]);
+    let mut found: BTreeMap<State, Option<Vec<Moment>>> = BTreeMap::from([(start.clone(), Some(Vec::new()))]);
+    // The count of the first tick may already be 1: the edge on the tick of entry is before, the next one is not.
+    let mut waiting: Vec<State> = Vec::new();
+    for state in clock.counted(&start) {
+        found.entry(state.clone()).or_insert(None);
+        waiting.push(state);
+    }
+    let firsts = waiting.len();
+    let mut next = 0;
+    while let Some(state) = waiting.get(next).cloned() {
+        let path = found.get(&state).cloned().flatten();
+        let mut stays: Option<Option<Vec<Moment>>> = None;
+        for tick in &ticks {
+            let Some(values) = formula.values(tick.truth | clock.truth(formula, &state)) else { continue };
+            let extended = || extended(path.as_ref()?, clock.starts(state.0), formula, tick);
+            let taken = stay.note(formula, &values, &open, || extended().map_or(Way::Open, Way::Shown));
+            if !taken && !matches!(stays, Some(Some(_))) {
+                stays = Some(extended());
+            }
+        }
+        if let Some(path) = stays {
+            stay.lasts |= next < firsts;
+            for later in clock.later(&state) {
+                let is_shown = later.1 == state.1;
+                if !found.contains_key(&later) {
+                    found.insert(later.clone(), path.clone().filter(|_| is_shown));
+                    waiting.push(later);
+                }
+            }
+        }
+        if found.len() > MOST_STATES {
+            return None;
+        }
+        next += 1;
+    }
+    for state in clock.all().filter(|state| !found.contains_key(state)) {
+        for tick in &ticks {
+            let Some(values) = formula.values(tick.truth | clock.truth(formula, &state)) else { continue };
+            for (exit, root) in stay.exits.iter_mut().zip(&formula.roots) {
+                exit.holds_later |= values[*root];
+            }
+        }
+    }
+    Some(stay)
+}
+
+/// The path and one more tick, where readings are known for it.
+fn extended(path: &[Moment], dwell: u64, formula: &Formula, tick: &Tick) -> Option<Vec<Moment>> {
+    let readings = tick.readings.clone()?;
+    let done = formula.atoms.iter().enumerate().any(|(bit, atom)| *atom == Atom::Done && tick.truth >> bit & 1 == 1);
+    let mut path = path.to_vec();
+    path.push(Moment { dwell, done, readings });
+    Some(path)
+}
+
+impl Stay {
+    /// Notes what a tick does; answers whether it takes an exit.
+    fn note(&mut self, formula: &Formula, values: &[bool], open: &[bool], way: impl Fn() -> Way) -> bool {
+        let mut before = 0_u64;
+        for (index, exit) in self.exits.iter_mut().enumerate() {
+            if !values[formula.roots[index]] {
+                exit.fails = true;
+                continue;
+            }
+            exit.holds = true;
+            exit.masks.insert(before);
+            if !open[index] {
+                continue;
+            }
+            if before == 0 && exit.taken.as_ref().is_none_or(|taken| *taken == Way::Open) {
+                exit.taken = Some(way());
+            }
+            before |= 1 << index.min(63);
+        }
+        before != 0
+    }
+}
+
+/// The thresholds and counters of a mode.
+struct Clock {
+    /// Nanoseconds, ascending, each above 0.
+    thresholds: Vec<u64>,
+    /// Counted nodes, and the number past which nothing changes.
+    counters: Vec<(usize, u32)>,
+}
+
+impl Clock {
+    /// `None` where a counter is compared with more than is followed.
+    fn new(formula: &Formula) -> Option<Self> {
+        let mut thresholds = BTreeSet::new();
+        let mut counters: BTreeMap<usize, u32> = BTreeMap::new();
+        for atom in &formula.atoms {
+            match atom {
+                Atom::After(duration) => {
+                    thresholds.insert(*duration);
+                }
+                Atom::Count(_, of, number) => {
+                    let most = number.ratio().to_integer().clamp(0, MOST_EDGES + 1);
+                    if most > MOST_EDGES || number.pi_power() != 0 {
+                        return None;
+                    }
+                    let limit = counters.entry(*of).or_default();
+                    *limit = (*limit).max(most as u32 + 1);
+                }
+                _ => {}
+            }
+        }
+        Some(Self { thresholds: thresholds.into_iter().collect(), counters: counters.into_iter().collect() })
+    }
+
+    /// The timers and counters that hold in a state.
+    fn truth(&self, formula: &Formula, (passed, counts): &State) -> u64 {
+        let holds = |atom: &Atom| match atom {
+            Atom::After(duration) => self.thresholds[..*passed].contains(duration),
+            Atom::Count(comparison, of, number) => {
+                let count = self.counters.iter().zip(counts).find(|((counted, _), _)| counted == of);
+                count.is_some_and(|(_, count)| compare(*comparison, Exact::new(i128::from(*count), 1, 0), *number))
+            }
+            _ => false,
+        };
+        formula.atoms.iter().enumerate().map(|(index, atom)| u64::from(holds(atom)) << index).sum()
+    }
+
+    /// A time at which that many thresholds are passed.
+    fn starts(&self, passed: usize) -> u64 {
+        passed.checked_sub(1).and_then(|last| self.thresholds.get(last)).copied().unwrap_or(0)
+    }
+
+    /// The states in which a tick leaves the counters of a state: each as it is, or one further.
+    fn counted(&self, (passed, counts): &State) -> Vec<State> {
+        let mut states = vec![(*passed, counts.clone())];
+        for (index, (_, limit)) in self.counters.iter().enumerate() {
+            for position in 0..states.len().min(MOST_STATES) {
+                let mut further = states[position].clone();
+                if further.1[index] < *limit {
+                    further.1[index] += 1;
+                    states.push(further);
+                }
+            }
+        }
+        states
+    }
+
+    /// The states of the next tick.
+    fn later(&self, state: &State) -> Vec<State> {
+        let mut states = self.counted(state);
+        if state.0 < self.thresholds.len() {
+            states.extend(self.counted(&(state.0 + 1, state.1.clone())));
+        }
+        states
+    }
+
+    /// Every stretch between thresholds, each with counters at their start and at their end.
+    fn all(&self) -> impl Iterator<Item = State> {
+        let none = vec![0; self.counters.len()];
+        let most: Vec<_> = self.counters.iter().map(|(_, limit)| *limit).collect();
+        (0..=self.thresholds.len()).flat_map(move |passed| [(passed, none.clone()), (passed, most.clone())])
+    }
+}

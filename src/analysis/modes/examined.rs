@@ -1,0 +1,95 @@
+//! One mode under everything that may have failed.
+
+use std::collections::BTreeSet;
+
+use super::dwell::{Stay, stay};
+use super::faults::{Fault, FaultSet, fails_of_variables};
+use super::formula::{Atom, Formula, Operand};
+use super::ticks::Scene;
+use crate::base::Id;
+use crate::ir::{FailReading, Mode, Sensor};
+
+/// A mode with its exits under every set of failed sensors that could give it readings or flags it has not otherwise.
+/// What is so in all cases is so whatever has failed, and whenever it fails.
+pub(super) struct Examined {
+    pub(super) formula: Formula,
+    pub(super) cases: Vec<Stay>,
+}
+
+/// More sets of failed sensors are not looked into.
+const MOST_CASES: usize = 1 << 8;
+
+/// `None` where the mode is broken, or has too many cases to look into.
+pub(super) fn examine(scene: &Scene<'_>, mode: &Mode) -> Option<Examined> {
+    if mode.incomplete || mode.transitions.iter().any(|transition| transition.target.is_none()) {
+        return None;
+    }
+    let formula = Formula::new(scene.program, scene.diagram, &mode.transitions)?;
+    let cases = fault_sets(scene, mode, &formula)?;
+    let cases: Option<Vec<_>> = cases.iter().map(|faults| stay(scene, mode, &formula, faults)).collect();
+    Some(Examined { formula, cases: cases? })
+}
+
+/// A sensor stuck at some reading reads what it could have read anyway. Only a failure that is reported, or takes all
+/// degrees of membership away, adds to what can happen.
+fn fault_sets(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> Option<Vec<FaultSet>> {
+    let reported = reported(scene, mode, formula);
+    let absent = feeding(scene, formula).into_iter().filter(|sensor| can_be_absent(scene, *sensor));
+    let single: BTreeSet<_> = reported
+        .into_iter()
+        .map(|sensor| (sensor, Fault::Reported))
+        .chain(absent.map(|sensor| (sensor, Fault::Absent)))
+        .collect();
+    let mut sets = vec![FaultSet::new()];
+    for (sensor, fault) in single {
+        let others: Vec<_> = sets.iter().filter(|set| set.last().is_none_or(|(last, _)| *last != sensor)).collect();
+        let with = others.into_iter().map(|set| [set.as_slice(), &[(sensor, fault)]].concat());
+        sets = with.collect::<Vec<_>>().into_iter().chain(sets).collect();
+        if sets.len() > MOST_CASES {
+            return None;
+        }
+    }
+    sets.sort_by_key(Vec::len);
+    Some(sets)
+}
+
+/// The sensors whose reported failure the mode can tell, or that inhibit it or where it leads.
+fn reported(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> BTreeSet<Id<Sensor>> {
+    let targets = mode.transitions.iter().filter_map(|transition| transition.target).chain(mode.otherwise);
+    let required = targets.flat_map(|target| &scene.diagram.modes[target].requires).chain(&mode.requires);
+    let told = formula.atoms.iter().filter_map(|atom| match atom {
+        Atom::Failed(sensor) => Some(*sensor),
+        _ => None,
+    });
+    required.map(|(sensor, _)| *sensor).chain(told).collect()
+}
+
+/// The sensors of the formula's events.
+fn feeding(scene: &Scene<'_>, formula: &Formula) -> BTreeSet<Id<Sensor>> {
+    let senses = formula.atoms.iter().filter_map(|atom| match atom {
+        Atom::Event { sense, .. } => Some(*sense),
+        _ => None,
+    });
+    senses.flat_map(|sense| &scene.diagram.senses[sense as usize].inputs).copied().collect()
+}
+
+/// Every sensor whose failing changes what can happen in the mode.
+pub(super) fn concerning(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> BTreeSet<Id<Sensor>> {
+    let mut sensors = reported(scene, mode, formula);
+    sensors.extend(feeding(scene, formula));
+    for atom in &formula.atoms {
+        match atom {
+            Atom::Compare(_, left, Operand::Sensor(right)) => sensors.extend([*left, *right]),
+            Atom::Compare(_, sensor, Operand::Number(_)) => {
+                sensors.insert(*sensor);
+            }
+            _ => {}
+        }
+    }
+    sensors
+}
+
+fn can_be_absent(scene: &Scene<'_>, sensor: Id<Sensor>) -> bool {
+    let own = scene.program.sensors[sensor].fails.iter();
+    own.chain(fails_of_variables(scene.program, scene.diagram, sensor)).any(|fail| *fail == FailReading::Absent)
+}

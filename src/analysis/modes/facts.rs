@@ -1,0 +1,269 @@
+//! What a diagram can and cannot do under each set of failed sensors.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
+
+use super::dwell::{Moment, Stay, Way, stay};
+use super::examined::concerning;
+use super::faults::{self, Fault, FaultSet, fails_of_variables};
+use super::formula::{Atom, Formula, Operand};
+use super::ticks::Scene;
+use crate::analysis::reachability::Graph;
+use crate::base::{Exact, Id};
+use crate::ir::{Diagram, FailReading, Mode, Program, Sensor};
+
+/// What a diagram can do under some faults, which may strike one after another while it runs.
+#[derive(Debug, Clone)]
+pub struct Facts {
+    /// The failed sensors.
+    pub faults: FaultSet,
+    /// What is known of each mode, by its id.
+    pub modes: Vec<ModeFacts>,
+    /// Modes that the machine can reach and then never leaves while the faults last: one mode that is not `final`, or
+    /// several that would lead on, to modes that are not inhibited, if nothing had failed.
+    pub traps: Vec<Vec<Id<Mode>>>,
+}
+
+/// What a mode can do under some faults.
+#[derive(Debug, Clone)]
+pub struct ModeFacts {
+    /// Whether the machine can be in it; a `false` is proved.
+    pub reachable: bool,
+    /// Whether a sensor that it requires is known to have failed.
+    pub inhibited: bool,
+    /// How each of its transitions is taken; `None` is proved.
+    pub exits: Vec<Option<Way>>,
+    /// Ticks that lead here from the start, where they are known.
+    pub trace: Option<Vec<Step>>,
+}
+
+/// A tick of a trace.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Step {
+    /// The mode in which the tick begins.
+    pub mode: Id<Mode>,
+    /// What has failed by then.
+    pub faults: FaultSet,
+    /// What the machine is told.
+    pub moment: Moment,
+}
+
+/// The facts of a diagram for every set of at most `up_to` failed sensors, smallest sets first. A sensor stuck at an
+/// unknown reading is one set for each stretch of readings that the diagram can tell apart.
+pub fn fault_table(program: &Program, diagram: Id<Diagram>, up_to: usize) -> Vec<Facts> {
+    let scene = Scene::new(program, &program.diagrams[diagram]);
+    let Some(entry) = scene.diagram.entry else { return Vec::new() };
+    let mut table = Table::new(&scene);
+    let mut known: BTreeMap<FaultSet, Rc<Reached>> = BTreeMap::new();
+    let mut rows = Vec::new();
+    for faults in table.fault_sets(up_to) {
+        let before: Vec<_> =
+            (0..faults.len()).filter_map(|without| known.get(&except(&faults, without))).cloned().collect();
+        let reached = Rc::new(table.reached(entry, &faults, &before));
+        rows.push(table.facts(&reached));
+        known.insert(faults, reached);
+    }
+    rows
+}
+
+fn except(faults: &FaultSet, without: usize) -> FaultSet {
+    faults.iter().enumerate().filter(|(index, _)| *index != without).map(|(_, fault)| *fault).collect()
+}
+
+/// The modes that are reached under some faults, and how.
+struct Reached {
+    faults: FaultSet,
+    modes: BTreeMap<Id<Mode>, Arrival>,
+}
+
+enum Arrival {
+    /// It is the entry.
+    Entry,
+    /// It was reached before the last fault struck.
+    Before(Rc<Reached>),
+    /// From a mode, by ticks that are known or not.
+    From(Id<Mode>, Way),
+}
+
+impl Reached {
+    fn trace(&self, mode: Id<Mode>) -> Option<Vec<Step>> {
+        let mut parts: Vec<Vec<Step>> = Vec::new();
+        let (mut reached, mut mode) = (self, mode);
+        loop {
+            match reached.modes.get(&mode)? {
+                Arrival::Entry => break,
+                Arrival::Before(earlier) => reached = earlier,
+                Arrival::From(_, Way::Open) => return None,
+                Arrival::From(from, Way::Shown(moments)) => {
+                    let step =
+                        |moment: &Moment| Step { mode: *from, faults: reached.faults.clone(), moment: moment.clone() };
+                    parts.push(moments.iter().map(step).collect());
+                    mode = *from;
+                }
+            }
+        }
+        parts.reverse();
+        Some(parts.concat())
+    }
+}
+
+struct Table<'s, 'a> {
+    scene: &'s Scene<'a>,
+    formulas: Vec<Option<(Formula, BTreeSet<Id<Sensor>>)>>,
+    stays: HashMap<(Id<Mode>, FaultSet), Rc<Option<Stay>>>,
+}
+
+impl<'s, 'a> Table<'s, 'a> {
+    fn new(scene: &'s Scene<'a>) -> Self {
+        let formula = |mode: &Mode| {
+            let formula = Formula::new(scene.program, scene.diagram, &mode.transitions).filter(|_| !mode.incomplete)?;
+            let sensors = concerning(scene, mode, &formula);
+            Some((formula, sensors))
+        };
+        Self { scene, formulas: scene.diagram.modes.values().map(formula).collect(), stays: HashMap::new() }
+    }
+
+    /// What can happen in a mode; only the faults that concern it count.
+    fn stay(&mut self, mode: Id<Mode>, faults: &FaultSet) -> Rc<Option<Stay>> {
+        let Some((formula, sensors)) = &self.formulas[mode.index()] else { return Rc::new(None) };
+        let faults: FaultSet = faults.iter().filter(|(sensor, _)| sensors.contains(sensor)).copied().collect();
+        let known = self.stays.entry((mode, faults.clone()));
+        let scene = self.scene;
+        let stay = known.or_insert_with(|| Rc::new(stay(scene, &scene.diagram.modes[mode], formula, &faults)));
+        Rc::clone(stay)
+    }
+
+    /// Where a mode can lead, and how.
+    fn ways(&mut self, id: Id<Mode>, faults: &FaultSet) -> Vec<(Id<Mode>, Way)> {
+        let mode = &self.scene.diagram.modes[id];
+        match self.stay(id, faults).as_ref() {
+            None => mode.transitions.iter().filter_map(|exit| Some((exit.target?, Way::Open))).collect(),
+            Some(Stay { lost: Some(otherwise), .. }) => {
+                let moment = Moment { dwell: 0, done: false, readings: Vec::new() };
+                vec![(*otherwise, Way::Shown(vec![moment]))]
+            }
+            Some(stay) => {
+                let exits = mode.transitions.iter().zip(&stay.exits);
+                exits.filter_map(|(transition, exit)| Some((transition.target?, exit.taken.clone()?))).collect()
+            }
+        }
+    }
+
+    /// Every mode that is reached under these faults, from the entry or from where the machine was before the last one.
+    fn reached(&mut self, entry: Id<Mode>, faults: &FaultSet, before: &[Rc<Reached>]) -> Reached {
+        let mut modes = BTreeMap::from([(entry, Arrival::Entry)]);
+        for earlier in before {
+            for mode in earlier.modes.keys() {
+                modes.entry(*mode).or_insert_with(|| Arrival::Before(Rc::clone(earlier)));
+            }
+        }
+        // What is shown first, so that as many modes as possible have a trace.
+        for is_shown_only in [true, false] {
+            let mut waiting: Vec<_> = modes.keys().copied().collect();
+            let mut next = 0;
+            while let Some(&mode) = waiting.get(next) {
+                next += 1;
+                for (target, way) in self.ways(mode, faults) {
+                    if !modes.contains_key(&target) && (way != Way::Open || !is_shown_only) {
+                        waiting.push(target);
+                        modes.insert(target, Arrival::From(mode, way));
+                    }
+                }
+            }
+        }
+        Reached { faults: faults.clone(), modes }
+    }
+
+    fn facts(&mut self, reached: &Reached) -> Facts {
+        let faults = &reached.faults;
+        let modes = &self.scene.diagram.modes;
+        let facts = |table: &mut Self, id: Id<Mode>| ModeFacts {
+            reachable: reached.modes.contains_key(&id),
+            inhibited: modes[id].requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor)),
+            exits: match table.stay(id, faults).as_ref() {
+                Some(stay) => stay.exits.iter().map(|exit| exit.taken.clone()).collect(),
+                None => vec![Some(Way::Open); modes[id].transitions.len()],
+            },
+            trace: reached.trace(id),
+        };
+        let facts: Vec<_> = modes.ids().map(|id| facts(self, id)).collect();
+        Facts { faults: faults.clone(), modes: facts, traps: self.traps(reached) }
+    }
+
+    fn traps(&mut self, reached: &Reached) -> Vec<Vec<Id<Mode>>> {
+        let diagram = self.scene.diagram;
+        let mut leads = |faults: &FaultSet| -> Vec<Vec<Id<Mode>>> {
+            diagram.modes.ids().map(|mode| self.ways(mode, faults).into_iter().map(|(to, _)| to).collect()).collect()
+        };
+        let (now, healthy) = (leads(&reached.faults), leads(&FaultSet::new()));
+        let graph = Graph::new(diagram, |mode| now[mode.index()].clone());
+        let inhibited = |mode: Id<Mode>| {
+            diagram.modes[mode].requires.iter().any(|(sensor, _)| faults::is_reported(&reached.faults, *sensor))
+        };
+        let is_trap = |group: &Vec<Id<Mode>>| {
+            let leaves = |leads: &[Vec<Id<Mode>>]| {
+                let mut targets = group.iter().flat_map(|mode| &leads[mode.index()]);
+                targets.any(|target| !group.contains(target) && !inhibited(*target))
+            };
+            let is_meant = match group.as_slice() {
+                [mode] => diagram.modes[*mode].is_final,
+                _ => !leaves(&healthy),
+            };
+            reached.modes.contains_key(&group[0]) && !leaves(&now) && !is_meant
+        };
+        let mut traps: Vec<_> = graph.groups().into_iter().filter(is_trap).collect();
+        traps.sort_unstable();
+        traps
+    }
+
+    /// Every set of at most `up_to` faults of the sensors that the diagram looks at, smallest first.
+    fn fault_sets(&self, up_to: usize) -> Vec<FaultSet> {
+        let sensors: BTreeSet<_> = self.formulas.iter().flatten().flat_map(|(_, sensors)| sensors).copied().collect();
+        let mut sets = vec![FaultSet::new()];
+        for sensor in sensors {
+            let faults = self.faults(sensor);
+            let small: Vec<_> = sets.iter().filter(|set| set.len() < up_to).cloned().collect();
+            for set in small {
+                sets.extend(faults.iter().map(|fault| [set.as_slice(), &[(sensor, *fault)]].concat()));
+            }
+        }
+        sets.sort_by_key(Vec::len);
+        sets
+    }
+
+    /// The ways in which a sensor fails: those it declares, or its variables do, and that it is reported.
+    fn faults(&self, sensor: Id<Sensor>) -> Vec<Fault> {
+        let own = &self.scene.program.sensors[sensor].fails;
+        let of_variables = || fails_of_variables(self.scene.program, self.scene.diagram, sensor).copied().collect();
+        let declared = if own.is_empty() { of_variables() } else { own.clone() };
+        let mut faults = BTreeSet::from([Fault::Reported]);
+        for fail in declared {
+            match fail {
+                FailReading::Value(at) => {
+                    faults.insert(Fault::Stuck(at));
+                }
+                FailReading::Any => faults.extend(self.stretches(sensor)),
+                FailReading::Absent => {
+                    faults.insert(Fault::Absent);
+                }
+            }
+        }
+        faults.into_iter().collect()
+    }
+
+    /// The readings of a sensor one by one where the diagram compares it, and those between.
+    fn stretches(&self, sensor: Id<Sensor>) -> Vec<Fault> {
+        let (low, high) = self.scene.program.sensors[sensor].range;
+        let mut cuts = BTreeSet::from([low, high]);
+        for atom in self.formulas.iter().flatten().flat_map(|(formula, _)| &formula.atoms) {
+            if let Atom::Compare(_, compared, Operand::Number(number)) = atom
+                && *compared == sensor
+            {
+                cuts.insert(*number);
+            }
+        }
+        let cuts: Vec<Exact> = cuts.into_iter().filter(|at| low <= *at && *at <= high).collect();
+        let between = cuts.windows(2).map(|pair| Fault::Between(pair[0], pair[1]));
+        cuts.iter().map(|at| Fault::Stuck(*at)).chain(between).collect()
+    }
+}

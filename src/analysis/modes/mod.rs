@@ -1,0 +1,113 @@
+//! What the modes of a diagram can do: which exits are taken, and where they lead.
+//!
+//! A claim that something never happens holds for all readings and all failures. Only then is there a warning.
+
+mod always_true;
+mod curve;
+mod dwell;
+mod examined;
+mod facts;
+mod faults;
+mod formula;
+mod fusion;
+mod grid;
+mod guards;
+mod inhibited;
+mod left_at_once;
+mod masked;
+mod never_true;
+mod one_tick;
+mod repeated;
+mod ticks;
+mod timers;
+mod traps;
+
+pub use dwell::{Moment, Way};
+pub use facts::{Facts, ModeFacts, Step, fault_table};
+pub use faults::{Fault, FaultSet};
+
+use crate::base::Id;
+use crate::diag::Diagnostic;
+use crate::ir::{Diagram, Mode, Program, Transition};
+use examined::{Examined, examine};
+use ticks::Scene;
+
+/// A transition with what is known of its mode.
+struct Subject<'a> {
+    program: &'a Program,
+    diagram: &'a Diagram,
+    mode: &'a Mode,
+    examined: &'a Examined,
+    /// Its position in the mode.
+    index: usize,
+}
+
+impl<'a> Subject<'a> {
+    fn transition(&self) -> &'a Transition {
+        &self.mode.transitions[self.index]
+    }
+
+    /// What can happen to it in each case.
+    fn cases(&self) -> impl Iterator<Item = &'a dwell::Exit> {
+        let index = self.index;
+        self.examined.cases.iter().map(move |case| &case.exits[index])
+    }
+
+    fn is_ever_taken(&self) -> bool {
+        self.cases().any(|exit| exit.taken.is_some())
+    }
+
+    fn condition_span(&self, transition: &Transition) -> crate::base::Span {
+        self.program.exprs[transition.condition].span
+    }
+
+    /// As messages name where it leads.
+    fn to(&self) -> String {
+        target_name(self.diagram, self.transition())
+    }
+}
+
+fn target_name(diagram: &Diagram, transition: &Transition) -> String {
+    match transition.target {
+        Some(target) if !transition.again => format!("`{}`", diagram.modes[target].symbol.name),
+        _ => "`again`".to_owned(),
+    }
+}
+
+/// Warns of what never happens in a diagram, and of what never ends. Each mode costs the number of feasible ticks of
+/// its own conditions, each diagram the number of its transitions.
+pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
+    let scene = Scene::new(program, diagram);
+    let modes: Vec<_> = diagram.modes.values().map(|mode| examine(&scene, mode)).collect();
+    for (mode, examined) in diagram.modes.values().zip(&modes) {
+        let Some(examined) = examined else { continue };
+        let found = findings.len();
+        // One finding for a transition, the one that says most, from the top: an exit that always fires hides the rest.
+        for index in 0..mode.transitions.len() {
+            let subject = Subject { program, diagram, mode, examined, index };
+            if always_true::check(&subject, findings) {
+                break;
+            }
+            let _ = repeated::check(&subject, findings)
+                || never_true::check(&subject, findings)
+                || timers::check(&subject, findings)
+                || inhibited::check(&subject, findings)
+                || masked::check(&subject, findings);
+        }
+        if findings.len() == found {
+            left_at_once::check(program, mode, examined, findings);
+        }
+    }
+    guards::check(diagram, &modes, findings);
+    traps::check(diagram, &modes, findings);
+    one_tick::check(&scene, &modes, findings);
+}
+
+/// The modes a mode can lead to in some case; all that are written where nothing is known of it.
+fn successors(mode: &Mode, examined: Option<&Examined>) -> Vec<Id<Mode>> {
+    let is_live = |index: usize| {
+        examined.is_none_or(|examined| examined.cases.iter().any(|case| case.exits[index].taken.is_some()))
+    };
+    let exits = mode.transitions.iter().enumerate().filter(|(index, _)| is_live(*index));
+    exits.filter_map(|(_, transition)| transition.target).chain(mode.otherwise).collect()
+}

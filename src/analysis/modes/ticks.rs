@@ -1,0 +1,218 @@
+//! The ticks that can be: every feasible truth of a formula's atoms, with readings that give it.
+
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+
+use super::faults::{self, FaultSet};
+use super::formula::{Atom, Formula, Operand, compare};
+use super::fusion::{Question, Readings, Remembered};
+use super::grid::Grid;
+use crate::analysis::support::{Cut, Interval};
+use crate::base::{Exact, Id};
+use crate::ir::{Diagram, Program, Sensor};
+
+/// What the modes of a diagram are looked at with.
+pub(super) struct Scene<'a> {
+    pub(super) program: &'a Program,
+    pub(super) diagram: &'a Diagram,
+    pub(super) fusion: Remembered<Grid<'a>>,
+}
+
+impl<'a> Scene<'a> {
+    pub(super) fn new(program: &'a Program, diagram: &'a Diagram) -> Self {
+        Self { program, diagram, fusion: Remembered::new(Grid { program }) }
+    }
+
+    fn readings(&self, sensor: Id<Sensor>, faults: &FaultSet) -> Option<Interval> {
+        faults::readings(self.program, self.diagram, sensor, faults)
+    }
+}
+
+/// A feasible tick; timers and counters are the state's, and count as clear here.
+#[derive(Debug, Clone)]
+pub(super) struct Tick {
+    /// A bit for each atom that is true.
+    pub(super) truth: u64,
+    /// Readings that give it; `None` where it is not excluded, but not shown either, or depends on the past.
+    pub(super) readings: Option<Readings>,
+}
+
+/// More ticks than this are not looked into.
+const MOST_TICKS: usize = 1 << 13;
+
+/// Where a sensor can read, as far as comparisons can tell.
+type Cell = (Interval, Exact);
+
+/// Every feasible tick; `None` where there are too many, or a number cannot be kept exactly.
+pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) -> Option<Vec<Tick>> {
+    let fixed = fixed(formula, faults);
+    let free: Vec<_> = (0..formula.atoms.len()).filter(|atom| is_free(&formula.atoms[*atom])).collect();
+    let cells = compared(scene, formula, faults)?;
+    let combinations = cells.values().map(Vec::len).try_fold(1_usize << free.len().min(16), usize::checked_mul)?;
+    if combinations > MOST_TICKS {
+        return None;
+    }
+    // What the past must have been for a tick is not shown by readings of that tick alone.
+    let looks_back = |atom: &Atom| matches!(atom, Atom::Past(..) | Atom::Open(_) | Atom::Count(..));
+    let is_shown = !formula.atoms.iter().any(looks_back);
+    let mut ticks = Vec::new();
+    let mut known = HashSet::new();
+    let mut place = vec![0; cells.len()];
+    loop {
+        let here: BTreeMap<_, _> =
+            cells.iter().zip(&place).map(|((sensor, cells), at)| (*sensor, cells[*at])).collect();
+        let held = fixed | comparisons(formula, &here);
+        for Tick { truth, readings } in fused(scene, formula, faults, &here, held) {
+            for choice in 0..1_u64 << free.len() {
+                let chosen: u64 = free.iter().enumerate().map(|(bit, atom)| (choice >> bit & 1) << atom).sum();
+                if known.insert(truth | chosen) {
+                    ticks.push(Tick { truth: truth | chosen, readings: readings.clone().filter(|_| is_shown) });
+                }
+            }
+        }
+        if ticks.len() > MOST_TICKS {
+            return None;
+        }
+        let sizes: Vec<_> = cells.values().map(Vec::len).collect();
+        let Some(digit) = (0..sizes.len()).find(|digit| place[*digit] + 1 < sizes[*digit]) else { break };
+        place[..digit].fill(0);
+        place[digit] += 1;
+    }
+    // What is shown comes first, so that it is found first.
+    ticks.sort_by_key(|tick| tick.readings.is_none());
+    Some(ticks)
+}
+
+fn is_free(atom: &Atom) -> bool {
+    match atom {
+        Atom::Past(..) | Atom::Done | Atom::Open(_) => true,
+        Atom::Event { .. } | Atom::Compare(..) | Atom::Failed(_) | Atom::After(_) | Atom::Count(..) => false,
+    }
+}
+
+/// The atoms that the faults decide.
+fn fixed(formula: &Formula, faults: &FaultSet) -> u64 {
+    let is_failed = |atom: &Atom| matches!(atom, Atom::Failed(sensor) if faults::is_reported(faults, *sensor));
+    formula.atoms.iter().enumerate().map(|(index, atom)| u64::from(is_failed(atom)) << index).sum()
+}
+
+/// The cells of every sensor that is compared. A sensor beside a number is cut at the number. Sensors beside each
+/// other are cut at all their numbers, and take as many readings between two as there are such sensors: every order
+/// of them is then among the combinations.
+fn compared(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) -> Option<BTreeMap<Id<Sensor>, Vec<Cell>>> {
+    let mut cuts: BTreeMap<Id<Sensor>, BTreeSet<Exact>> = BTreeMap::new();
+    let mut linked = BTreeSet::new();
+    for atom in &formula.atoms {
+        match atom {
+            Atom::Compare(_, sensor, Operand::Number(number)) => {
+                cuts.entry(*sensor).or_default().insert(*number);
+            }
+            Atom::Compare(_, left, Operand::Sensor(right)) => {
+                cuts.entry(*left).or_default();
+                cuts.entry(*right).or_default();
+                linked.extend([*left, *right]);
+            }
+            _ => {}
+        }
+    }
+    let mut together = BTreeSet::new();
+    for sensor in &linked {
+        let range = scene.program.sensors[*sensor].range;
+        let (from, to) = scene.readings(*sensor, faults).unwrap_or((Cut::before(range.0), Cut::after(range.1)));
+        together.extend(cuts[sensor].iter().chain([&from.at, &to.at]));
+    }
+    let of_sensor = |(sensor, own): (Id<Sensor>, BTreeSet<Exact>)| {
+        let range = scene.program.sensors[sensor].range;
+        // A sensor without any degree still has a reading, and nothing is known of it.
+        let within = scene.readings(sensor, faults).unwrap_or((Cut::before(range.0), Cut::after(range.1)));
+        let (cuts, count) = if linked.contains(&sensor) { (&together, linked.len()) } else { (&own, 1) };
+        Some((sensor, cut(within, cuts, count)?))
+    };
+    cuts.into_iter().map(of_sensor).collect()
+}
+
+/// The readings of an interval one by one where it is cut, and `count` of those between two cuts.
+fn cut((from, to): Interval, cuts: &BTreeSet<Exact>, count: usize) -> Option<Vec<Cell>> {
+    let mut cuts = cuts.clone();
+    cuts.extend([from.at, to.at]);
+    let cuts: Vec<_> = cuts.into_iter().filter(|at| from.at <= *at && *at <= to.at).collect();
+    let mut cells = Vec::new();
+    for (index, &at) in cuts.iter().enumerate() {
+        if from <= Cut::before(at) && Cut::after(at) <= to {
+            cells.push(((Cut::before(at), Cut::after(at)), at));
+        }
+        let Some(&next) = cuts.get(index + 1) else { continue };
+        let mut low = at;
+        for _ in 0..count {
+            low = low.between(next)?;
+            cells.push(((Cut::after(at), Cut::before(next)), low));
+        }
+    }
+    Some(cells)
+}
+
+/// The comparisons that hold at some readings.
+fn comparisons(formula: &Formula, here: &BTreeMap<Id<Sensor>, Cell>) -> u64 {
+    let holds = |atom: &Atom| match atom {
+        Atom::Compare(comparison, left, right) => {
+            let right = match right {
+                Operand::Number(number) => *number,
+                Operand::Sensor(sensor) => here[sensor].1,
+            };
+            compare(*comparison, here[left].1, right)
+        }
+        _ => false,
+    };
+    formula.atoms.iter().enumerate().map(|(index, atom)| u64::from(holds(atom)) << index).sum()
+}
+
+/// The ticks of one combination of cells: one for each joint valuation of the events.
+fn fused(
+    scene: &Scene<'_>,
+    formula: &Formula,
+    faults: &FaultSet,
+    here: &BTreeMap<Id<Sensor>, Cell>,
+    truth: u64,
+) -> Vec<Tick> {
+    let absent = |sensor: &Id<Sensor>| scene.readings(*sensor, faults).is_none();
+    let compared: Readings = here.iter().map(|(sensor, (_, at))| (*sensor, *at)).collect();
+    let mut atoms = Vec::new();
+    let mut events = Vec::new();
+    for (index, atom) in formula.atoms.iter().enumerate() {
+        if let Atom::Event { sense, event } = *atom {
+            atoms.push(index);
+            events.push((sense, event));
+        }
+    }
+    if events.is_empty() {
+        let shown = !compared.iter().any(|(sensor, _)| absent(sensor));
+        return vec![Tick { truth, readings: shown.then_some(compared) }];
+    }
+    let sensors: BTreeSet<_> =
+        events.iter().flat_map(|(sense, _)| &scene.diagram.senses[*sense as usize].inputs).copied().collect();
+    let feed = |sensor: Id<Sensor>| {
+        let whole = scene.readings(sensor, faults);
+        (sensor, whole.map(|whole| here.get(&sensor).map_or(whole, |(cell, _)| *cell)))
+    };
+    let feeds = sensors.into_iter().map(feed).collect();
+    let answers = scene.fusion.ask(scene.diagram, Question { events, feeds });
+    let tick = |set: u64, readings: Option<&Readings>| {
+        let events: u64 = atoms.iter().enumerate().map(|(bit, atom)| (set >> bit & 1) << atom).sum();
+        let readings = readings.and_then(|readings| merged(formula, here, &compared, readings));
+        Tick { truth: truth | events, readings }
+    };
+    answers.iter().map(|answer| tick(answer.set, answer.readings.as_ref())).collect()
+}
+
+/// The readings that set the events, and those of the compared sensors that feed none of them; `None` where the
+/// readings of the events put compared sensors into another order.
+fn merged(
+    formula: &Formula,
+    here: &BTreeMap<Id<Sensor>, Cell>,
+    compared: &Readings,
+    fused: &Readings,
+) -> Option<Readings> {
+    let mut merged: BTreeMap<_, _> = compared.iter().copied().collect();
+    merged.extend(fused.iter().copied());
+    let moved = here.iter().map(|(sensor, (cell, _))| (*sensor, (*cell, merged[sensor]))).collect();
+    (comparisons(formula, &moved) == comparisons(formula, here)).then(|| merged.into_iter().collect())
+}

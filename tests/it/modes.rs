@@ -1,0 +1,242 @@
+//! What modes can and cannot do: each defect is found, by its code and at its place, and nothing else is.
+
+use crate::support::{analyze_texts, report};
+
+const ROBOT: &str = "
+    robot cart {
+        sensor x: 1 in 0 .. 10 fails 3
+        optional sensor y: 1 in 0 .. 10 fails 3
+        action halt()
+        action turn(angle: rad) -> done
+    }
+    ";
+
+const FUSION: &str = "
+    variable level: 1 in 0 .. 10 { low = ramp(6, 4)  mid = triangle(4, 5, 6)  high = ramp(4, 6) }
+    network n(v: level) {
+        event full  { contributor (high) detractor ({low, mid}) }
+        event empty { contributor (low) detractor ({mid, high}) }
+        event stuck { contributor (mid) detractor (mid) }
+    }
+    network both(v: level, w: level) {
+        event some { contributor (high, _) (_, high) detractor (low, low) }
+        event all  { contributor (high, high) detractor (low, _) (_, low) }
+    }
+    ";
+
+/// The codes found in a behavior on the cart, with the text at the primary place.
+fn found(behavior: &str) -> Vec<(&'static str, String)> {
+    let text = format!("import n\n{ROBOT}\nbehavior b on cart {{\n sense n(x)\n sense both(x, y)\n{behavior}\n}}");
+    let analysis = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
+    assert!(!analysis.has_errors(), "{}", report(&analysis));
+    let at = |finding: &lmslc::diag::Diagnostic| analysis.sources.slice(finding.span()).to_owned();
+    analysis.findings.iter().map(|finding| (finding.rule.code, at(finding))).collect()
+}
+
+#[track_caller]
+fn finds(behavior: &str, expected: &[(&str, &str)]) {
+    let found = found(behavior);
+    let found: Vec<_> = found.iter().map(|(code, text)| (*code, text.as_str())).collect();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn a_mode_with_no_way_out_and_one_with_no_way_in() {
+    finds(
+        "entry a  mode a { halt() 1: x > 5 -> b }  mode b { halt() }  mode c { halt() 1: x > 5 -> a }",
+        &[("LM0406", "b"), ("LM0404", "c")],
+    );
+    finds("entry a  mode a { halt() 1: x > 3 -> b }  mode b { halt() 1: after 1 s -> again }", &[("LM0415", "b")]);
+    finds("entry a  mode a { halt() 1: after 1 s -> again }", &[]);
+}
+
+#[test]
+fn a_condition_that_always_holds_hides_what_is_below() {
+    finds(
+        "entry a
+         mode a { halt()  1: x >= 5 or x < 5 -> b  2: y > 5 -> c }
+         mode b { halt()  1: x > 5 -> c }
+         mode c { halt()  1: after 1 s -> a }",
+        &[("LM0410", "x >= 5 or x < 5")],
+    );
+}
+
+#[test]
+fn a_guard_that_a_higher_one_implies_masks_it() {
+    finds(
+        "entry a
+         mode a { halt()  1: x > 2 -> b  2: x > 3 -> c }
+         mode b { halt()  1: x < 1 -> c }
+         mode c { halt()  1: after 1 s -> a }",
+        &[("LM0402", "2: x > 3 -> c")],
+    );
+    finds(
+        "entry a
+         mode a { halt()  1: x < 4 -> b  2: x > 2 -> c  3: y > 3 -> b }
+         mode b { halt()  1: after 1 s -> a }
+         mode c { halt()  1: after 1 s -> a }",
+        &[("LM0402", "3: y > 3 -> b")],
+    );
+}
+
+#[test]
+fn events_that_imply_each_other_mask_each_other() {
+    finds(
+        "entry a
+         mode a { halt()  1: some -> b  2: all -> c }
+         mode b { halt()  1: after 1 s -> c }
+         mode c { halt()  1: after 1 s -> a }",
+        &[("LM0402", "2: all -> c")],
+    );
+    finds(
+        "entry a
+         mode a { halt()  1: all -> c  2: some -> b }
+         mode b { halt()  1: after 1 s -> c }
+         mode c { halt()  1: after 1 s -> a }",
+        &[],
+    );
+}
+
+#[test]
+fn a_heavy_obstacle_is_a_collision_too() {
+    let library = |exits: &str| {
+        let text = format!(
+            "import std.behaviors.obstacle_manipulation\n
+             behavior b extends obstacle_manipulation {{ mode forward {{ drive(26 cm/s) {exits} }} }}"
+        );
+        let analysis = analyze_texts(&[("b.msd", &text)]);
+        analysis.findings.iter().map(|finding| finding.rule.name).collect::<Vec<_>>()
+    };
+    // Push may be inhibited; but then the force is known to have failed, reads 0, and nothing is heavy.
+    assert_eq!(library("1: forward_collision -> push  2: heavy_obstacle -> stop"), ["masked-transition"]);
+    assert_eq!(
+        library("1: forward_collision -> stop  2: heavy_obstacle -> push"),
+        ["masked-transition", "unreachable-by-guards"]
+    );
+    assert_eq!(library("1: heavy_obstacle -> stop  2: forward_collision -> push"), [""; 0]);
+}
+
+#[test]
+fn a_guard_that_cannot_hold() {
+    let modes = |guard: &str| {
+        format!("entry a  mode a {{ halt()  1: {guard} -> b  2: y > 9 -> b }}  mode b {{ halt()  1: after 1 s -> a }}")
+    };
+    for guard in [
+        "x > 3 and x < 2",
+        "full and empty",
+        "stuck",
+        "full and x < 5",
+        "x > y and y > x",
+        "failed(x) and x > 3",
+        "rising(full) and not full",
+        "latched(full) and not full and full",
+        "count(full) < 0",
+    ] {
+        finds(&modes(guard), &[("LM0409", guard)]);
+    }
+    for guard in [
+        "x > 3 and x <= 3.5",
+        "full and x > 5.2",
+        "failed(x) and x >= 3",
+        "failed(x) and failed(y)",
+        "falling(full) and not full",
+        "latched(full) and not full",
+        "not full and not empty",
+        "x == y and x != 0 and y < 9",
+        "count(full) >= 3",
+    ] {
+        finds(&modes(guard), &[]);
+    }
+}
+
+#[test]
+fn one_condition_twice() {
+    let modes = |first: &str, second: &str, requires: &str| {
+        format!(
+            "entry a  mode a {{ halt()  1: {first} -> b  2: {second} -> c }}
+             mode b {requires} {{ halt()  1: after 1 s -> c }}  mode c {{ halt()  1: after 1 s -> a }}"
+        )
+    };
+    finds(&modes("x > 3 and full", "full and 3 < x", ""), &[("LM0412", "full and 3 < x")]);
+    finds(&modes("x > 3", "x > 3", "requires y else c"), &[]);
+}
+
+#[test]
+fn a_transition_whose_target_is_inhibited_whenever_it_holds() {
+    finds(
+        "entry a
+         mode a { halt()  1: failed(y) -> b  2: x > 3 -> b }
+         mode b requires y else a { halt()  1: after 1 s -> a }",
+        &[("LM0418", "1: failed(y) -> b")],
+    );
+}
+
+#[test]
+fn timers_that_never_expire() {
+    let modes = |exits: &str| format!("entry a  mode a {{ halt() {exits} }}  mode b {{ halt()  1: after 1 s -> a }}");
+    finds(&modes("1: after 5 s -> b  2: after 2 s -> b"), &[("LM0413", "after 5 s")]);
+    finds(&modes("1: after 5 s -> b  2: after 2 s -> again  3: x > 3 -> b"), &[("LM0413", "after 5 s")]);
+    finds(&modes("1: after 5 s -> b  2: after 2 s and x > 3 -> b"), &[]);
+    finds(&modes("1: x <= 5 -> again  2: x > 5 -> b  3: after 1 s -> b"), &[("LM0413", "after 1 s")]);
+}
+
+#[test]
+fn a_mode_always_left_on_its_first_tick() {
+    finds(
+        "entry a
+         mode a { halt()  1: x <= 5 -> b  2: x > 5 -> c }
+         mode b { halt()  1: after 1 s -> c }
+         mode c { halt()  1: after 1 s -> a }",
+        &[("LM0411", "a")],
+    );
+}
+
+#[test]
+fn a_mode_whose_only_way_in_is_masked() {
+    finds(
+        "entry a
+         mode a { halt()  1: x > 2 -> b  2: x > 3 -> c }
+         mode b { halt()  1: after 1 s -> a }
+         mode c { halt()  1: after 1 s -> d }
+         mode d { halt()  1: after 1 s -> a }",
+        &[("LM0402", "2: x > 3 -> c"), ("LM0414", "c")],
+    );
+}
+
+#[test]
+fn modes_that_follow_each_other_on_every_tick() {
+    finds(
+        "entry a
+         mode a { halt()  1: x > 1 -> b }
+         mode b { halt()  1: x > 9 -> c  2: after 1 s -> a }
+         mode c { halt()  1: full -> a }",
+        &[("LM0416", "1: x > 1 -> b")],
+    );
+    finds("entry a  mode a { halt()  1: full -> b }  mode b { halt()  1: not full -> a }", &[]);
+    finds(
+        "entry a  mode a { halt()  1: full -> b }  mode b { halt()  1: full and y > 3 -> a }",
+        &[("LM0416", "1: full -> b")],
+    );
+}
+
+#[test]
+fn an_island_of_modes() {
+    finds(
+        "entry a
+         final mode a { halt() }
+         mode b { halt()  1: after 1 s -> c }
+         mode c { halt()  1: after 1 s -> b  2: x > 3 -> a }",
+        &[("LM0417", "b")],
+    );
+}
+
+#[test]
+fn a_way_out_that_is_never_taken_makes_a_trap() {
+    finds(
+        "entry a
+         mode a { halt()  1: x > 3 -> b }
+         mode b { halt()  1: x > 4 -> c }
+         mode c { halt()  1: x < 2 -> b  2: x > 3 and x < 2 -> a }",
+        &[("LM0415", "b"), ("LM0409", "x > 3 and x < 2")],
+    );
+}
