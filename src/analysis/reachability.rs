@@ -1,6 +1,6 @@
 //! Modes that no path of transitions leads to, and islands of modes that lead only to each other.
 
-use petgraph::algo::tarjan_scc;
+use petgraph::algo::kosaraju_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::{Dfs, Walker};
 
@@ -41,7 +41,7 @@ impl Graph {
             modes.sort_unstable();
             modes
         };
-        tarjan_scc(&self.0).into_iter().map(of_group).collect()
+        kosaraju_scc(&self.0).into_iter().map(of_group).collect()
     }
 
     /// Where a mode leads.

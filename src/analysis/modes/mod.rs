@@ -28,7 +28,7 @@ pub use faults::{Fault, FaultSet};
 
 use crate::base::Id;
 use crate::diag::Diagnostic;
-use crate::ir::{Diagram, Mode, Program, Transition};
+use crate::ir::{Diagram, Mode, Program, Sense, Transition};
 use examined::{Examined, examine};
 use ticks::Scene;
 
@@ -77,6 +77,11 @@ fn target_name(diagram: &Diagram, transition: &Transition) -> String {
 /// Warns of what never happens in a diagram, and of what never ends. Each mode costs the number of feasible ticks of
 /// its own conditions, each diagram the number of its transitions.
 pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
+    // A sense whose inputs were broken has none; what its events do is unknown.
+    let is_whole = |sense: &Sense| sense.inputs.len() == program.networks[sense.network].inputs.len();
+    if !diagram.senses.iter().all(is_whole) {
+        return;
+    }
     let scene = Scene::new(program, diagram);
     let modes: Vec<_> = diagram.modes.values().map(|mode| examine(&scene, mode)).collect();
     for (mode, examined) in diagram.modes.values().zip(&modes) {
