@@ -48,7 +48,7 @@ impl Analysis {
 }
 
 /// Reads, lowers and checks `roots` and everything they import. Total: it never fails and never panics.
-/// Linear in the size of the files.
+/// Linear in the size of the files, and in the cases of each mode.
 pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analysis {
     let load::Loaded { roots, sources, units, mut findings } = load::load(files, roots);
     let (program, mut lowering) = sema::lower(&units, &sources);

@@ -17,6 +17,7 @@ mod modes;
 mod network;
 mod network_more;
 mod pages;
+mod random_modes;
 mod sessions;
 mod support;
 mod syntax;

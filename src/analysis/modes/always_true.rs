@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, rules};
 pub(super) fn check(subject: &Subject<'_>, findings: &mut Vec<Diagnostic>) -> bool {
     let below = subject.mode.transitions.get(subject.index + 1);
     let is_inhibited = |target| !subject.diagram.modes[target].requires.is_empty();
-    let always = subject.cases().any(|exit| exit.holds) && subject.cases().all(|exit| !exit.fails);
+    let always = subject.exit().holds && !subject.exit().fails;
     match below {
         Some(_) if always && !subject.transition().target.is_some_and(is_inhibited) => {
             findings.push(always_true(subject));

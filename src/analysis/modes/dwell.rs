@@ -11,7 +11,7 @@ use super::ticks::{Scene, Tick, feasible};
 use crate::base::{Exact, Id};
 use crate::ir::{Mode, Sensor};
 
-/// What can happen in a mode under some faults.
+/// What can happen in a mode.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Stay {
     /// Its transitions in order.
@@ -65,39 +65,65 @@ const MOST_EDGES: i128 = 64;
 /// A stretch of a mode: the thresholds passed, and the edges counted.
 type State = (usize, Vec<u32>);
 
-/// What can happen in a mode; `None` where it has too many cases to look into.
-pub(super) fn stay(scene: &Scene<'_>, mode: &Mode, formula: &Formula, faults: &FaultSet) -> Option<Stay> {
-    let inhibited = |target: Id<Mode>| {
-        scene.diagram.modes[target].requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor))
-    };
-    let lost = mode.otherwise.filter(|otherwise| !inhibited(*otherwise));
-    if lost.is_some() && mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor)) {
-        return Some(Stay { exits: vec![Exit::default(); mode.transitions.len()], lasts: false, lost });
+/// A mode under one set of faults.
+struct Case {
+    ticks: Vec<Tick>,
+    /// For each transition whether its target is not inhibited.
+    open: Vec<bool>,
+    lost: Option<Id<Mode>>,
+}
+
+impl Case {
+    fn new(scene: &Scene<'_>, mode: &Mode, formula: &Formula, faults: &FaultSet) -> Option<Self> {
+        let fails = |mode: &Mode| mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor));
+        let inhibited = |target: Id<Mode>| fails(&scene.diagram.modes[target]);
+        let lost = mode.otherwise.filter(|otherwise| fails(mode) && !inhibited(*otherwise));
+        // Where the machine goes elsewhere at once, no exit is tried on any tick.
+        let ticks = if lost.is_some() { Vec::new() } else { feasible(scene, formula, faults)? };
+        let open = mode.transitions.iter().map(|transition| !transition.target.is_some_and(inhibited)).collect();
+        Some(Self { ticks, open, lost })
     }
-    let open: Vec<_> = mode.transitions.iter().map(|transition| !transition.target.is_some_and(inhibited)).collect();
+}
+
+/// What can happen in a mode under each of the sets `now`, where under these and those of `before` the machine may
+/// have stayed in it until then: a sensor may fail, or recover, on any tick. Ticks are shown for the first set alone.
+/// `None` where there are too many cases to look into.
+pub(super) fn stay(
+    scene: &Scene<'_>,
+    mode: &Mode,
+    formula: &Formula,
+    now: &[FaultSet],
+    before: &[FaultSet],
+) -> Option<Stay> {
     let clock = Clock::new(formula)?;
-    let ticks = feasible(scene, formula, faults)?;
-    let mut stay = Stay { exits: vec![Exit::default(); mode.transitions.len()], lasts: false, lost: None };
+    let sets = now.iter().chain(before.iter().filter(|set| !now.contains(set)));
+    let cases: Vec<_> = sets.map(|faults| Case::new(scene, mode, formula, faults)).collect::<Option<_>>()?;
+    let lost = cases.first().and_then(|case| case.lost);
+    let mut stay = Stay { exits: vec![Exit::default(); mode.transitions.len()], lasts: false, lost };
 
     let start = (0, vec![0; clock.counters.len()]);
-    let mut found: BTreeMap<State, Option<Vec<Moment>>> = BTreeMap::from([(start.clone(), Some(Vec::new()))]);
     // The count of the first tick may already be 1: the edge on the tick of entry is before, the next one is not.
-    let mut waiting: Vec<State> = Vec::new();
-    for state in clock.counted(&start) {
-        found.entry(state.clone()).or_insert(None);
-        waiting.push(state);
-    }
+    let mut waiting = clock.counted(&start);
     let firsts = waiting.len();
+    let mut found: BTreeMap<State, Option<Vec<Moment>>> = waiting.iter().map(|state| (state.clone(), None)).collect();
+    found.insert(start, Some(Vec::new()));
     let mut next = 0;
     while let Some(state) = waiting.get(next).cloned() {
         let path = found.get(&state).cloned().flatten();
+        let held = clock.truth(formula, &state);
         let mut stays: Option<Option<Vec<Moment>>> = None;
-        for tick in &ticks {
-            let Some(values) = formula.values(tick.truth | clock.truth(formula, &state)) else { continue };
-            let extended = || extended(path.as_ref()?, clock.starts(state.0), formula, tick);
-            let taken = stay.note(formula, &values, &open, || extended().map_or(Way::Open, Way::Shown));
-            if !taken && !matches!(stays, Some(Some(_))) {
-                stays = Some(extended());
+        for (position, case) in cases.iter().enumerate() {
+            let path = path.as_ref().filter(|_| position == 0);
+            for tick in &case.ticks {
+                let Some(values) = formula.values(tick.truth | held) else { continue };
+                let extended = || extended(path?, clock.starts(state.0), formula, tick);
+                if position < now.len() {
+                    stay.note(formula, &values, &case.open, || extended().map_or(Way::Open, Way::Shown));
+                }
+                let taken = formula.roots.iter().zip(&case.open).any(|(root, open)| values[*root] && *open);
+                if !taken && !matches!(stays, Some(Some(_))) {
+                    stays = Some(extended());
+                }
             }
         }
         if let Some(path) = stays {
@@ -116,8 +142,8 @@ pub(super) fn stay(scene: &Scene<'_>, mode: &Mode, formula: &Formula, faults: &F
         next += 1;
     }
     for state in clock.all().filter(|state| !found.contains_key(state)) {
-        for tick in &ticks {
-            let Some(values) = formula.values(tick.truth | clock.truth(formula, &state)) else { continue };
+        let held = clock.truth(formula, &state);
+        for values in cases.iter().flat_map(|case| &case.ticks).filter_map(|tick| formula.values(tick.truth | held)) {
             for (exit, root) in stay.exits.iter_mut().zip(&formula.roots) {
                 exit.holds_later |= values[*root];
             }
@@ -136,8 +162,8 @@ fn extended(path: &[Moment], dwell: u64, formula: &Formula, tick: &Tick) -> Opti
 }
 
 impl Stay {
-    /// Notes what a tick does; answers whether it takes an exit.
-    fn note(&mut self, formula: &Formula, values: &[bool], open: &[bool], way: impl Fn() -> Way) -> bool {
+    /// Notes what a tick does.
+    fn note(&mut self, formula: &Formula, values: &[bool], open: &[bool], way: impl Fn() -> Way) {
         let mut before = 0_u64;
         for (index, exit) in self.exits.iter_mut().enumerate() {
             if !values[formula.roots[index]] {
@@ -154,7 +180,6 @@ impl Stay {
             }
             before |= 1 << index.min(63);
         }
-        before != 0
     }
 }
 

@@ -9,11 +9,11 @@ use super::ticks::Scene;
 use crate::base::Id;
 use crate::ir::{FailReading, Mode, Sensor};
 
-/// A mode with its exits under every set of failed sensors that could give it readings or flags it has not otherwise.
-/// What is so in all cases is so whatever has failed, and whenever it fails.
+/// A mode under every set of failed sensors that could give it readings or flags it has not otherwise, each failing
+/// and recovering on any tick. What never happens then never happens.
 pub(super) struct Examined {
     pub(super) formula: Formula,
-    pub(super) cases: Vec<Stay>,
+    pub(super) stay: Stay,
 }
 
 /// More sets of failed sensors are not looked into.
@@ -26,8 +26,8 @@ pub(super) fn examine(scene: &Scene<'_>, mode: &Mode) -> Option<Examined> {
     }
     let formula = Formula::new(scene.program, scene.diagram, &mode.transitions)?;
     let cases = fault_sets(scene, mode, &formula)?;
-    let cases: Option<Vec<_>> = cases.iter().map(|faults| stay(scene, mode, &formula, faults)).collect();
-    Some(Examined { formula, cases: cases? })
+    let stay = stay(scene, mode, &formula, &cases, &[])?;
+    Some(Examined { formula, stay })
 }
 
 /// A sensor stuck at some reading reads what it could have read anyway. Only a failure that is reported, or takes all

@@ -70,6 +70,16 @@ fn except(faults: &FaultSet, without: usize) -> FaultSet {
     faults.iter().enumerate().filter(|(index, _)| *index != without).map(|(_, fault)| *fault).collect()
 }
 
+/// Every set of some of these faults.
+fn subsets(faults: &FaultSet) -> Vec<FaultSet> {
+    let mut sets = vec![FaultSet::new()];
+    for fault in faults {
+        let with: Vec<_> = sets.iter().map(|set| [set.as_slice(), &[*fault]].concat()).collect();
+        sets.extend(with);
+    }
+    sets
+}
+
 /// The modes that are reached under some faults, and how.
 struct Reached {
     faults: FaultSet,
@@ -129,7 +139,9 @@ impl<'s, 'a> Table<'s, 'a> {
         let faults: FaultSet = faults.iter().filter(|(sensor, _)| sensors.contains(sensor)).copied().collect();
         let known = self.stays.entry((mode, faults.clone()));
         let scene = self.scene;
-        let stay = known.or_insert_with(|| Rc::new(stay(scene, &scene.diagram.modes[mode], formula, &faults)));
+        let mode = &scene.diagram.modes[mode];
+        let stay = known
+            .or_insert_with(|| Rc::new(stay(scene, mode, formula, std::slice::from_ref(&faults), &subsets(&faults))));
         Rc::clone(stay)
     }
 

@@ -4,8 +4,8 @@ use super::Subject;
 use crate::diag::{Diagnostic, rules};
 
 pub(super) fn check(subject: &Subject<'_>, findings: &mut Vec<Diagnostic>) -> bool {
-    let (Some(target), false) = (subject.transition().target, subject.is_ever_taken()) else { return false };
-    let alone = subject.cases().any(|exit| exit.masks.contains(&0));
+    let (Some(target), false) = (subject.transition().target, subject.exit().taken.is_some()) else { return false };
+    let alone = subject.exit().masks.contains(&0);
     let Some(&(_, required)) = subject.diagram.modes[target].requires.first().filter(|_| alone) else { return false };
     let message = format!("{} is inhibited whenever the condition of this transition holds", subject.to());
     findings.push(

@@ -5,8 +5,7 @@ use crate::diag::{Diagnostic, rules};
 use crate::ir::{Mode, Program};
 
 pub(super) fn check(program: &Program, mode: &Mode, examined: &Examined, findings: &mut Vec<Diagnostic>) {
-    let stays = examined.cases.iter().any(|case| case.lasts);
-    if !stays && !mode.transitions.is_empty() && examined.cases.iter().any(|case| case.lost.is_none()) {
+    if !examined.stay.lasts && !mode.transitions.is_empty() {
         findings.push(left_at_once(program, mode));
     }
 }

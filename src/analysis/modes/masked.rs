@@ -6,7 +6,7 @@ use super::Subject;
 use crate::diag::{Diagnostic, rules};
 
 pub(super) fn check(subject: &Subject<'_>, findings: &mut Vec<Diagnostic>) -> bool {
-    let is_masked = !subject.is_ever_taken() && subject.cases().any(|exit| exit.holds);
+    let is_masked = subject.exit().taken.is_none() && subject.exit().holds;
     if is_masked {
         findings.push(masked(subject));
     }
@@ -15,8 +15,7 @@ pub(super) fn check(subject: &Subject<'_>, findings: &mut Vec<Diagnostic>) -> bo
 
 /// The fewest higher transitions of which one can be taken whenever this one could; all that ever do beyond pairs.
 fn masking(subject: &Subject<'_>) -> Vec<usize> {
-    let masks: BTreeSet<u64> =
-        subject.cases().flat_map(|exit| &exit.masks).copied().filter(|mask| *mask != 0).collect();
+    let masks: BTreeSet<u64> = subject.exit().masks.iter().copied().filter(|mask| *mask != 0).collect();
     let higher = 0..subject.index.min(64);
     let covers = |wanted: u64| masks.iter().all(|mask| mask & wanted != 0);
     if let Some(single) = higher.clone().find(|index| covers(1 << index)) {

@@ -47,14 +47,9 @@ impl<'a> Subject<'a> {
         &self.mode.transitions[self.index]
     }
 
-    /// What can happen to it in each case.
-    fn cases(&self) -> impl Iterator<Item = &'a dwell::Exit> {
-        let index = self.index;
-        self.examined.cases.iter().map(move |case| &case.exits[index])
-    }
-
-    fn is_ever_taken(&self) -> bool {
-        self.cases().any(|exit| exit.taken.is_some())
+    /// What can happen to it.
+    fn exit(&self) -> &'a dwell::Exit {
+        &self.examined.stay.exits[self.index]
     }
 
     fn condition_span(&self, transition: &Transition) -> crate::base::Span {
@@ -108,11 +103,9 @@ pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Dia
     one_tick::check(&scene, &modes, findings);
 }
 
-/// The modes a mode can lead to in some case; all that are written where nothing is known of it.
+/// The modes a mode can lead to, whatever has failed; all that are written where nothing is known of it.
 fn successors(mode: &Mode, examined: Option<&Examined>) -> Vec<Id<Mode>> {
-    let is_live = |index: usize| {
-        examined.is_none_or(|examined| examined.cases.iter().any(|case| case.exits[index].taken.is_some()))
-    };
+    let is_live = |index: usize| examined.is_none_or(|examined| examined.stay.exits[index].taken.is_some());
     let exits = mode.transitions.iter().enumerate().filter(|(index, _)| is_live(*index));
     exits.filter_map(|(_, transition)| transition.target).chain(mode.otherwise).collect()
 }

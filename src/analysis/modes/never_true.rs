@@ -4,8 +4,8 @@ use super::Subject;
 use crate::diag::{Diagnostic, rules};
 
 pub(super) fn check(subject: &Subject<'_>, findings: &mut Vec<Diagnostic>) -> bool {
-    let visited = subject.cases().any(|exit| exit.fails);
-    let never = visited && subject.cases().all(|exit| !exit.holds && !exit.holds_later);
+    let exit = subject.exit();
+    let never = exit.fails && !exit.holds && !exit.holds_later;
     if never {
         findings.push(never_true(subject));
     }

@@ -37,8 +37,8 @@ pub(super) fn check(scene: &Scene<'_>, modes: &[Option<Examined>], findings: &mu
 
 /// Where a mode without any failure leads on its first tick.
 fn at_once(mode: &Mode, examined: Option<&Examined>) -> Vec<Id<Mode>> {
-    let Some(healthy) = examined.and_then(|examined| examined.cases.first()) else { return Vec::new() };
-    let exits = mode.transitions.iter().zip(&healthy.exits);
+    let Some(examined) = examined else { return Vec::new() };
+    let exits = mode.transitions.iter().zip(&examined.stay.exits);
     let at_once = exits.filter(|(_, exit)| matches!(&exit.taken, Some(Way::Shown(path)) if path.len() == 1));
     at_once.filter_map(|(transition, _)| transition.target).collect()
 }

@@ -5,7 +5,7 @@ use crate::diag::{Diagnostic, rules};
 use crate::ir::Transition;
 
 pub(super) fn check(subject: &Subject<'_>, findings: &mut Vec<Diagnostic>) -> bool {
-    if subject.is_ever_taken() {
+    if subject.exit().taken.is_some() {
         return false;
     }
     let roots = &subject.examined.formula.roots;

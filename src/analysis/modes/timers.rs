@@ -4,7 +4,7 @@ use super::Subject;
 use crate::diag::{Diagnostic, rules};
 
 pub(super) fn check(subject: &Subject<'_>, findings: &mut Vec<Diagnostic>) -> bool {
-    let never = subject.cases().all(|exit| !exit.holds) && subject.cases().any(|exit| exit.holds_later);
+    let never = !subject.exit().holds && subject.exit().holds_later;
     if never {
         findings.push(never_reached(subject));
     }
@@ -18,7 +18,7 @@ fn never_reached(subject: &Subject<'_>) -> Diagnostic {
         Diagnostic::new(&rules::TIMER_NEVER_REACHED, subject.condition_span(transition), message)
             .here("never comes true")
             .note("`after` counts from the tick on which the mode was entered; ticks are taken to be shorter than the time between two timers");
-    let taken = |index: &usize| subject.examined.cases.iter().any(|case| case.exits[*index].taken.is_some());
+    let taken = |index: &usize| subject.examined.stay.exits[*index].taken.is_some();
     for index in (0..subject.mode.transitions.len()).filter(taken).take(3) {
         let earlier = &subject.mode.transitions[index];
         let does = if earlier.again { "restarts the timer before" } else { "leaves the mode before" };

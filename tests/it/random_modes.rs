@@ -1,0 +1,126 @@
+//! Random diagrams under random readings and failures: what was proved never to happen does not.
+
+use lmslc::analysis::modes::fault_table;
+use lmslc::base::Id;
+use lmslc::interp::{Actuators, Inputs, Machine, Reading, Taken};
+use lmslc::kernel::next_random;
+use lmslc::plan;
+
+use crate::support::{analyze_texts, report};
+
+const FUSION: &str = "
+    variable level: 1 in 0 .. 10 { low = ramp(6, 4)  mid = triangle(4, 5, 6)  high = ramp(4, 6) }
+    network n(v: level, w: level) {
+        event full { contributor (high, -) detractor ({low, mid}, -) }
+        event some { contributor (high, _) (_, high) detractor (low, low) }
+        event all  { contributor (high, high) detractor (low, _) (_, low) }
+        event odd  { contributor (low, high) (mid, -) detractor (_, mid) }
+        event late confirm 200 ms { contributor (high, -) detractor ({low, mid}, -) }
+    }
+    ";
+
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: u64) -> u64 {
+        next_random(&mut self.0) % limit
+    }
+
+    fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
+        values[self.below(values.len() as u64) as usize]
+    }
+
+    fn atom(&mut self) -> String {
+        let flag = self.one_of(&["full", "some", "all", "odd", "late", "x > 5", "x < 4", "x > y", "y >= 5", "y == 5"]);
+        match self.below(9) {
+            0 => format!("rising({flag})"),
+            1 => format!("falling({flag})"),
+            2 => format!("latched({flag})"),
+            3 => format!("held({flag}, 300 ms)"),
+            4 => format!("count({flag}) >= {}", 1 + self.below(2)),
+            5 => format!("after {} ms", 300 * (1 + self.below(3))),
+            6 => self.one_of(&["failed(x)", "failed(y)", "done"]).to_owned(),
+            _ => flag.to_owned(),
+        }
+    }
+
+    fn condition(&mut self) -> String {
+        let mut condition = self.atom();
+        for _ in 0..self.below(3) {
+            let word = self.one_of(&["and", "or", "and not"]);
+            condition = format!("({condition}) {word} ({})", self.atom());
+        }
+        condition
+    }
+
+    fn behavior(&mut self) -> String {
+        let mut text = "import n
+            robot cart {
+                sensor x: 1 in 0 .. 10 fails 3
+                optional sensor y: 1 in 0 .. 10 fails 7
+                action turn(angle: rad) -> done
+            }
+            behavior b on cart { sense n(x, y)  entry m0\n"
+            .to_owned();
+        for mode in 0..4 {
+            let requires = if mode == 3 { "requires y else m1" } else { "" };
+            text += &format!("mode m{mode} {requires} {{ turn(1 rad)\n");
+            for priority in 1..=3 {
+                text += &format!("{priority}: {} -> m{}\n", self.condition(), self.below(4));
+            }
+            text += "}\n";
+        }
+        text + "}"
+    }
+}
+
+struct Deaf;
+
+impl Actuators for Deaf {
+    fn command(&mut self, _action: u32, _arguments: &[f64], _start: bool) {}
+}
+
+#[test]
+fn what_never_happens_is_not_seen() {
+    let mut random = Random(7);
+    let (mut dead, mut live) = (0, 0);
+    for _ in 0..150 {
+        let text = random.behavior();
+        let analysis = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
+        let plan = plan::build(analysis.checked().unwrap(), Id::new(0), Id::new(0), &[]);
+        let healthy = fault_table(&analysis.program, Id::new(0), 0).remove(0);
+        let exits: Vec<_> = healthy.modes.iter().flat_map(|mode| mode.exits.iter().map(Option::is_some)).collect();
+        // A finding about a transition stands on it.
+        let codes = ["LM0402", "LM0409", "LM0412", "LM0413", "LM0418"];
+        let never: Vec<_> = analysis.findings.iter().filter(|finding| codes.contains(&finding.rule.code)).collect();
+        let is_never = |index: u32| {
+            let span = plan.transitions[index as usize].span;
+            never.iter().any(|finding| span.start <= finding.span().start && finding.span().end <= span.end)
+        };
+        dead += exits.iter().filter(|exit| !**exit).count();
+        let mut seen = vec![false; exits.len()];
+        for fails in [false, true] {
+            let mut machine = Machine::new(&plan, 1);
+            let mut readings = [0.0; 2].map(|value| Reading { value, healthy: true });
+            for _ in 0..3000 {
+                for reading in &mut readings {
+                    if random.below(3) == 0 {
+                        reading.value = random.below(21) as f64 / 2.0;
+                        reading.healthy = !fails || random.below(3) > 0;
+                    }
+                }
+                let done = random.below(4) == 0;
+                let before = machine.mode() as usize;
+                let taken = machine.step(Inputs { readings: &readings, done }, 100_000_000, &mut Deaf);
+                if let Taken::Transition(index) = taken {
+                    assert!(!is_never(index), "{}\n{text}", report(&analysis));
+                    assert!(fails || exits[index as usize], "transition {index} of m{before}\n{text}");
+                    seen[index as usize] = true;
+                }
+                assert!(fails || healthy.modes[machine.mode() as usize].reachable, "{text}");
+            }
+        }
+        live += seen.iter().filter(|seen| **seen).count();
+    }
+    assert!(dead > 100 && live > 800, "{dead} dead, {live} live: the diagrams show nothing");
+}
