@@ -51,7 +51,7 @@ pub struct Sense {
     pub symbol: Symbol,
     /// The network.
     pub network: Id<Network>,
-    /// What feeds each of its inputs.
+    /// What feeds each of its inputs; nothing at all where that was broken and reported.
     pub inputs: Vec<Id<Sensor>>,
 }
 

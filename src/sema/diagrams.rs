@@ -197,11 +197,10 @@ impl<'a> Lower<'a> {
                     None
                 }
             };
-            if let Some(sensor) = sensor {
+            fed.push(sensor.filter(|&sensor| {
                 let unit = self.program.sensors[sensor].unit.clone();
-                self.check_feed(argument.value.span, input, &unit);
-            }
-            fed.push(sensor);
+                self.check_feed(argument.value.span, input, &unit)
+            }));
         }
         fed.into_iter().collect()
     }

@@ -261,7 +261,7 @@ impl Lower<'_> {
     }
 
     /// Checks that a network's input can be fed by something of a unit.
-    pub(super) fn check_feed(&mut self, span: crate::base::Span, input: &ir::NetworkInput, fed: &Unit) {
+    pub(super) fn check_feed(&mut self, span: crate::base::Span, input: &ir::NetworkInput, fed: &Unit) -> bool {
         let variable = &self.program.variables[input.variable];
         let wanted = variable.unit.dimension;
         if wanted != fed.dimension {
@@ -269,7 +269,9 @@ impl Lower<'_> {
             let diagnostic = mismatch(span, fed.dimension, wanted)
                 .note(format!("it feeds the input `{input}`, which takes the variable `{variable}`"));
             self.report(diagnostic);
+            return false;
         }
+        true
     }
 }
 

@@ -54,7 +54,9 @@ fn every_example_raises_its_rule_and_no_correction_raises_any() {
             continue;
         }
         let (found, text) = codes(&bad);
-        if found != BTreeSet::from([rule.code]) {
+        // A mode is cut off by transitions that are never taken, and each of them is a finding too.
+        let with = if rule.code == "LM0414" { Some("LM0402") } else { None };
+        if found != with.into_iter().chain([rule.code]).collect() {
             wrong.push(format!("{}: the example raises {found:?}\n{text}", rule.code));
         }
         let (found, text) = codes(&good);

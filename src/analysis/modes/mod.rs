@@ -78,7 +78,10 @@ pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Dia
         return;
     }
     let scene = Scene::new(program, diagram);
-    let modes: Vec<_> = diagram.modes.values().map(|mode| examine(&scene, mode)).collect();
+    // Of two transitions with one priority nothing says which comes first.
+    let is_ordered = |mode: &&Mode| mode.transitions.is_sorted_by(|one, next| one.priority < next.priority);
+    let examined = |mode| Some(mode).filter(is_ordered).and_then(|mode| examine(&scene, mode));
+    let modes: Vec<_> = diagram.modes.values().map(examined).collect();
     for (mode, examined) in diagram.modes.values().zip(&modes) {
         let Some(examined) = examined else { continue };
         let found = findings.len();

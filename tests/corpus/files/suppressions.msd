@@ -7,7 +7,7 @@ behavior drive_once on j5 {
     mode go {
         drive(26 cm/s)
         1: after 5 s -> parked
-        2: after 9 s -> feel
+        2: contact_force > 9 N -> feel
     }
     mode feel requires contact_force {
         halt()

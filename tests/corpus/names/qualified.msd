@@ -12,7 +12,7 @@ behavior wander on j5 {
 
     mode go {
         drive(26 cm/s)
-        1: hit            -> again
-        2: heavy_obstacle -> again
+        1: heavy_obstacle -> again
+        2: hit            -> again
     }
 }

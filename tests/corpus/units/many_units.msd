@@ -10,7 +10,7 @@ behavior wander on j5 {
     mode go {
         drive(936 m/h)
         1: pressed        -> circle
-        2: after 5000 ms  -> circle
+        2: after 5000 ms and hard -> circle
         3: after 1 min    -> circle
         4: hard or same   -> circle
     }

@@ -19,6 +19,6 @@ behavior ring on rover {
         power(0.5)
         1: force > 100 N -> again
         2: share < 30 %  -> again
-        3: share < 0.2   -> again
+        3: share > 0.9   -> again
     }
 }
