@@ -1,5 +1,6 @@
-//! The fault table: what the events of a machine can still do under every set of failed sensors, and by which rules.
+//! The fault table: what the events and modes of a machine can still do under every set of failed sensors.
 
+use super::modes::{self, Facts};
 use super::network::{self, Fault, FaultSet, Feed, Model, NetworkFacts, Verdict, Witness};
 use crate::base::{FileId, Id, Unit};
 use crate::ir::{self, FailReading, Program};
@@ -20,6 +21,23 @@ pub struct FaultRow {
     pub events: Vec<EventRow>,
     /// The events of a network that some readings set together; qualified where there are several networks.
     pub valuations: Vec<Vec<String>>,
+    /// What is left of every behavior.
+    pub modes: Vec<ModesRow>,
+}
+
+/// What is left of a behavior. Its modes are in source order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModesRow {
+    /// The behavior's name.
+    pub diagram: String,
+    /// Modes the machine can be in; the others are proved out of reach.
+    pub reachable: Vec<String>,
+    /// The others.
+    pub unreachable: Vec<String>,
+    /// Modes the machine can reach and never leaves while the sensors stay failed, alone or among each other.
+    pub traps: Vec<String>,
+    /// Modes that require a failed sensor: they are not entered once it is known to have failed.
+    pub inhibited: Vec<String>,
 }
 
 /// A failed sensor.
@@ -58,7 +76,11 @@ pub fn fault_table(program: &Program, files: &[FileId], up_to: usize) -> FaultTa
     let group = Group::of(program, files);
     let models: Vec<_> = group.senses.iter().filter_map(|sense| Sensed::new(program, &group, sense, up_to)).collect();
     let fails = group.sensors.iter().map(|sensor| sensor.feed.fails.as_slice());
-    let rows = network::fault_sets(fails, up_to).into_iter().map(|faults| row(&group, &models, &faults));
+    let diagrams: Vec<_> = group.diagrams.iter().map(|&id| (id, modes::fault_table(program, id, up_to))).collect();
+    let rows = network::fault_sets(fails, up_to).into_iter().map(|faults| {
+        let modes = diagrams.iter().map(|(id, facts)| modes_row(program, &group, *id, facts, &faults)).collect();
+        FaultRow { modes, ..row(&group, &models, &faults) }
+    });
     FaultTable { rows: rows.collect() }
 }
 
@@ -66,9 +88,12 @@ pub fn fault_table(program: &Program, files: &[FileId], up_to: usize) -> FaultTa
 struct Group {
     sensors: Vec<Source>,
     senses: Vec<Sense>,
+    diagrams: Vec<Id<ir::Diagram>>,
 }
 
 struct Source {
+    /// `None` for an input of a network on its own.
+    sensor: Option<Id<ir::Sensor>>,
     name: String,
     unit: Unit,
     feed: Feed,
@@ -84,8 +109,9 @@ struct Sense {
 impl Group {
     fn of(program: &Program, files: &[FileId]) -> Self {
         let is_asked = |symbol: &ir::Symbol| files.contains(&symbol.span.file);
-        let mut group = Self { sensors: Vec::new(), senses: Vec::new() };
-        let diagrams: Vec<_> = program.diagrams.values().filter(|diagram| is_asked(&diagram.symbol)).collect();
+        let diagrams = program.diagrams.iter().filter(|(_, diagram)| is_asked(&diagram.symbol)).map(|(id, _)| id);
+        let mut group = Self { sensors: Vec::new(), senses: Vec::new(), diagrams: diagrams.collect() };
+        let diagrams: Vec<_> = group.diagrams.iter().map(|&id| &program.diagrams[id]).collect();
         let mut known = Vec::new();
         for sense in diagrams.iter().flat_map(|diagram| &diagram.senses) {
             let inputs = sense.inputs.iter().zip(&program.networks[sense.network].inputs);
@@ -120,17 +146,17 @@ impl Group {
 }
 
 impl Source {
-    fn of_sensor(program: &Program, sensor: Id<ir::Sensor>, variable: Id<ir::Variable>) -> Self {
-        let sensor = &program.sensors[sensor];
+    fn of_sensor(program: &Program, id: Id<ir::Sensor>, variable: Id<ir::Variable>) -> Self {
+        let sensor = &program.sensors[id];
         let fails = if sensor.fails.is_empty() { &program.variables[variable].fails } else { &sensor.fails };
         let feed = Feed { range: sensor.range, fails: fails.clone() };
-        Self { name: sensor.symbol.name.clone(), unit: sensor.unit.clone(), feed }
+        Self { sensor: Some(id), name: sensor.symbol.name.clone(), unit: sensor.unit.clone(), feed }
     }
 
     fn of_input(program: &Program, input: &ir::NetworkInput) -> Self {
         let variable = &program.variables[input.variable];
         let feed = Feed { range: variable.range, fails: variable.fails.clone() };
-        Self { name: input.symbol.name.clone(), unit: variable.unit.clone(), feed }
+        Self { sensor: None, name: input.symbol.name.clone(), unit: variable.unit.clone(), feed }
     }
 }
 
@@ -174,7 +200,7 @@ fn row(group: &Group, models: &[Sensed<'_>], faults: &FaultSet) -> FaultRow {
         let Source { name, unit, .. } = &group.sensors[fault.input];
         Failed { sensor: name.clone(), unit: unit.clone(), reading: fault.reading }
     });
-    let mut row = FaultRow { failed: failed.collect(), events: Vec::new(), valuations: Vec::new() };
+    let mut row = FaultRow { failed: failed.collect(), events: Vec::new(), valuations: Vec::new(), modes: Vec::new() };
     for sensed in models {
         let own = sensed.faults(faults);
         let find = |facts: &'_ [NetworkFacts]| facts.iter().position(|facts| facts.faults == own);
@@ -207,6 +233,46 @@ fn row(group: &Group, models: &[Sensed<'_>], faults: &FaultSet) -> FaultRow {
     }
     row.valuations.sort_by(|one, other| (other.len(), one).cmp(&(one.len(), other)));
     row
+}
+
+fn modes_row(program: &Program, group: &Group, id: Id<ir::Diagram>, facts: &[Facts], faults: &FaultSet) -> ModesRow {
+    let diagram = &program.diagrams[id];
+    let failed: Vec<_> =
+        faults.iter().filter_map(|fault| Some((group.sensors[fault.input].sensor?, fault.reading))).collect();
+    // Sensors that no condition of the diagram looks at are in none of its sets.
+    let is_known = |sensor| facts.iter().any(|facts| facts.faults.iter().any(|(known, _)| *known == sensor));
+    let wanted: Vec<_> = failed.iter().copied().filter(|(sensor, _)| is_known(*sensor)).collect();
+    let is_it = |(sensor, reading): &(Id<ir::Sensor>, FailReading), (other, fault): &(Id<ir::Sensor>, modes::Fault)| {
+        sensor == other
+            && match reading {
+                FailReading::Value(value) => *fault == modes::Fault::Stuck(*value),
+                FailReading::Any => matches!(fault, modes::Fault::Stuck(_) | modes::Fault::Between(..)),
+                FailReading::Absent => *fault == modes::Fault::Absent,
+            }
+    };
+    // A sensor stuck anywhere is one set for each stretch of readings that makes a difference.
+    let rows: Vec<_> = facts
+        .iter()
+        .filter(|facts| facts.faults.len() == wanted.len())
+        .filter(|facts| wanted.iter().all(|wanted| facts.faults.iter().any(|fault| is_it(wanted, fault))))
+        .collect();
+    let names = |keep: &dyn Fn(Id<ir::Mode>) -> bool| {
+        let kept = diagram.modes.iter().filter(|(id, _)| keep(*id));
+        kept.map(|(_, mode)| mode.symbol.name.clone()).collect::<Vec<_>>()
+    };
+    let reachable = |mode: Id<ir::Mode>| rows.iter().any(|row| row.modes[mode.index()].reachable);
+    let trapped = |mode: Id<ir::Mode>| rows.iter().any(|row| row.traps.iter().any(|trap| trap.contains(&mode)));
+    let inhibited = |mode: Id<ir::Mode>| {
+        let mut required = diagram.modes[mode].requires.iter();
+        required.any(|(sensor, _)| failed.iter().any(|(failed, _)| failed == sensor))
+    };
+    ModesRow {
+        diagram: diagram.symbol.name.clone(),
+        reachable: names(&reachable),
+        unreachable: names(&|mode| !reachable(mode)),
+        traps: names(&trapped),
+        inhibited: names(&inhibited),
+    }
 }
 
 /// The rules of an event that can be above 0, in words.

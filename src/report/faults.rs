@@ -7,7 +7,7 @@ use serde::ser::{SerializeMap, Serializer};
 
 use super::json::{SCHEMA, to_line};
 use super::paint::Paint;
-use crate::analysis::{EventRow, FaultRow, FaultTable};
+use crate::analysis::{EventRow, FaultRow, FaultTable, ModesRow};
 use crate::ir::FailReading;
 
 /// Renders the table as one JSON object on one line.
@@ -43,6 +43,14 @@ struct Event<'a> {
 }
 
 #[derive(Serialize)]
+struct Modes<'a> {
+    reachable: &'a [String],
+    unreachable: &'a [String],
+    traps: &'a [String],
+    inhibited: &'a [String],
+}
+
+#[derive(Serialize)]
 struct Masked {
     contributor: usize,
     detractor: usize,
@@ -68,10 +76,14 @@ impl Serialize for Row<'_> {
             (failed.sensor.as_str(), how)
         });
         let events = self.0.events.iter().map(|event| (event.name.as_str(), to_event(event)));
-        let mut map = serializer.serialize_map(Some(3))?;
+        let mut map = serializer.serialize_map(Some(4))?;
         map.serialize_entry("failed", &Members(failed.collect()))?;
         map.serialize_entry("events", &Members(events.collect()))?;
         map.serialize_entry("valuations", &self.0.valuations)?;
+        let modes = self.0.modes.iter().map(|ModesRow { diagram, reachable, unreachable, traps, inhibited }| {
+            (diagram.as_str(), Modes { reachable, unreachable, traps, inhibited })
+        });
+        map.serialize_entry("modes", &Members(modes.collect()))?;
         map.end()
     }
 }
@@ -106,23 +118,41 @@ pub fn faults(table: &FaultTable, color: bool) -> String {
                 let _ = writeln!(out, "    {side:8} {}", rule_list(rules, masked, 8));
             }
         }
+        for modes in &row.modes {
+            let lines = mode_lines(modes);
+            let lost =
+                if lines.is_empty() { "every mode can be reached and left".to_owned() } else { lines.join("; ") };
+            let _ = writeln!(out, "  {}  {lost}", modes.diagram);
+        }
         out.push('\n');
     }
     out
+}
+
+/// What a behavior loses.
+fn mode_lines(modes: &ModesRow) -> Vec<String> {
+    let lists = [
+        ("never reached", &modes.unreachable),
+        ("never left", &modes.traps),
+        ("inhibited once reported", &modes.inhibited),
+    ];
+    let lists = lists.iter().filter(|(_, names)| !names.is_empty());
+    lists.map(|(what, names)| format!("{what}: {}", names.join(", "))).collect()
 }
 
 /// Renders the table as Markdown, one row for each set of failed sensors.
 pub fn faults_markdown(table: &FaultTable) -> String {
     let names: Vec<_> = table.rows.first().map_or(&[][..], |row| &row.events).iter().map(|event| &event.name).collect();
     let heads: Vec<_> = names.iter().map(|name| format!(" {name} |")).collect();
-    let mut out = format!("| failed |{}\n|---|{}\n", heads.concat(), "---|".repeat(names.len()));
+    let mut out = format!("| failed |{} modes |\n|---|{}---|\n", heads.concat(), "---|".repeat(names.len()));
     for row in &table.rows {
         let _ = write!(out, "| {} |", title(row));
         for event in &row.events {
             let rules = rule_list(&event.contributor, event.masked.0, 4);
             let _ = write!(out, " {}; for it: {rules} |", ability(event).0);
         }
-        out.push('\n');
+        let modes: Vec<_> = row.modes.iter().flat_map(mode_lines).collect();
+        let _ = writeln!(out, " {} |", modes.join("; "));
     }
     out
 }
@@ -142,7 +172,8 @@ pub fn faults_html(table: &FaultTable, file: &str) -> String {
                 format!("<td class=\"{class}\">{word}<br><small>{rules}</small></td>")
             })
             .collect();
-        let _ = writeln!(rows, "<tr><th>{}</th>{}</tr>", cell(&title(row)), events.concat());
+        let modes = row.modes.iter().flat_map(mode_lines).map(|line| cell(&line)).collect::<Vec<_>>().join("<br>");
+        let _ = writeln!(rows, "<tr><th>{}</th>{}<td>{modes}</td></tr>", cell(&title(row)), events.concat());
     }
     let names = table.rows.first().map_or(&[][..], |row| &row.events).iter();
     let heads = names.map(|event| format!("<th>{}</th>", cell(&event.name))).collect::<Vec<_>>().concat();
@@ -152,7 +183,7 @@ pub fn faults_html(table: &FaultTable, file: &str) -> String {
          table {{ border-collapse: collapse }}\n\
          th, td {{ border: 1px solid #ccc; padding: .4rem .6rem; text-align: left; vertical-align: top }}\n\
          .bad {{ background: #fde7e3 }} .good {{ background: #e8f4ea }} small {{ color: #555 }}\n\
-         </style>\n<h1>Fault table of {0}</h1>\n<table>\n<tr><th>failed</th>{heads}</tr>\n{rows}</table>\n</html>\n",
+         </style>\n<h1>Fault table of {0}</h1>\n<table>\n<tr><th>failed</th>{heads}<th>modes</th></tr>\n{rows}</table>\n</html>\n",
         cell(file)
     )
 }

@@ -72,6 +72,24 @@ fn no_reading_is_heavy_without_being_a_collision() {
     }
 }
 
+#[test]
+fn modes_are_lost_with_the_sensors_that_lead_to_them() {
+    let table = table(MANIPULATION, 3);
+    let modes = |failed: &[&str]| {
+        let is_it = |row: &&lmslc::analysis::FaultRow| {
+            row.failed.iter().map(|failed| failed.sensor.as_str()).eq(failed.iter().copied())
+        };
+        table.rows.iter().find(is_it).unwrap().modes[0].clone()
+    };
+    let nothing_failed = modes(&[]);
+    assert_eq!(nothing_failed.reachable, ["init", "forward", "stop", "back_up", "random_turn", "push"]);
+    assert!(nothing_failed.traps.is_empty() && nothing_failed.inhibited.is_empty());
+    assert_eq!(modes(&[FORCE]).inhibited, ["push"]);
+    assert!(modes(&[FORCE]).reachable.contains(&"push".to_owned()), "the fault is silent");
+    let blind = modes(&[LEFT, RIGHT, FORCE]);
+    assert!(blind.reachable.contains(&"forward".to_owned()), "sensors may fail at any time");
+}
+
 fn answer(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_lmslc")).args(arguments).current_dir(root()).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -91,6 +109,9 @@ fn the_table_is_one_json_object() {
     assert_eq!(collision["contributor"], serde_json::json!([["neg", "neg", "low"]]));
     assert_eq!(collision["masked"], serde_json::json!({ "contributor": 15, "detractor": 0 }));
     assert!(collision["witness_set"][LEFT].as_f64().unwrap() < 0.0);
+    let modes = &rows[3]["modes"]["obstacle_manipulation"];
+    assert_eq!(modes["inhibited"], serde_json::json!(["push"]));
+    assert_eq!(modes["unreachable"], serde_json::json!([]));
     assert_eq!(rows[3]["valuations"], serde_json::json!([["forward_collision"], []]));
 }
 
@@ -99,7 +120,7 @@ fn the_table_is_shown_to_people_too() {
     insta::assert_snapshot!(answer(&["faults", MANIPULATION]));
     let markdown = answer(&["faults", MANIPULATION, "--format", "markdown"]);
     assert_eq!(markdown.lines().count(), 6, "{markdown}");
-    assert!(markdown.lines().all(|line| line.matches('|').count() == 4), "{markdown}");
+    assert!(markdown.lines().all(|line| line.matches('|').count() == 5), "{markdown}");
     let html = answer(&["faults", "stdlib/networks/obstacle_id.fsfn", "--format", "html"]);
     assert!(html.starts_with("<!doctype html>") && html.contains("obstacle_id.heavy_obstacle"));
 }
