@@ -1,7 +1,7 @@
 //! The fault table: what the events and modes of a machine can still do under every set of failed sensors.
 
 use super::modes::{self, Facts};
-use super::network::{self, Fault, FaultSet, Feed, Model, NetworkFacts, Verdict, Witness};
+use super::network::{self, Fault, FaultSet, Feed, Model, NetworkFacts, SingleRule, Witness};
 use crate::base::{FileId, Id, Unit};
 use crate::ir::{self, FailReading, Program};
 
@@ -60,14 +60,21 @@ pub struct EventRow {
     pub can_set: bool,
     /// Some readings leave it clear.
     pub can_clear: bool,
+    /// Its rules in single terms; `None` where they stand for too many to list.
+    pub rules: Option<RuleRows>,
+    /// Readings in SI that set it, by sensor.
+    pub witness_set: Option<Vec<(String, f64)>>,
+}
+
+/// The rules of an event that failures leave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RuleRows {
     /// The rules for it that can still be above 0: a word for each input of the network, sorted.
     pub contributor: Vec<Vec<String>>,
     /// The rules against it that can still be above 0.
     pub detractor: Vec<Vec<String>>,
     /// How many rules for it, and against it, are always 0.
     pub masked: (usize, usize),
-    /// Readings in SI that set it, by sensor.
-    pub witness_set: Option<Vec<(String, f64)>>,
 }
 
 /// The fault table of the behaviors of some files, or of their networks where they have no behavior, for every set of
@@ -79,7 +86,7 @@ pub fn fault_table(program: &Program, files: &[FileId], up_to: usize) -> FaultTa
     let diagrams: Vec<_> = group.diagrams.iter().map(|&id| (id, modes::fault_table(program, id, up_to))).collect();
     let rows = network::fault_sets(fails, up_to).into_iter().map(|faults| {
         let modes = diagrams.iter().map(|(id, facts)| modes_row(program, &group, *id, facts, &faults)).collect();
-        FaultRow { modes, ..row(&group, &models, &faults) }
+        FaultRow { modes, ..row(program, &group, &models, &faults) }
     });
     FaultTable { rows: rows.collect() }
 }
@@ -167,9 +174,6 @@ struct Sensed<'a> {
     network: &'a ir::Network,
     model: Model,
     facts: Vec<NetworkFacts>,
-    /// The same network with its rules expanded to single terms, in words, and what is known of that.
-    words: Vec<[Vec<Vec<String>>; 2]>,
-    expanded: Vec<NetworkFacts>,
 }
 
 impl<'a> Sensed<'a> {
@@ -178,11 +182,7 @@ impl<'a> Sensed<'a> {
         let network = &program.networks[sense.network];
         let model = Model::fed_by(program, sense.network, &feeds)?;
         let facts = model.facts(up_to);
-        let mut single = program.clone();
-        let (expanded, words) = expand(program, network);
-        let id = single.networks.add(expanded);
-        let expanded = Model::fed_by(&single, id, &feeds)?.facts(up_to);
-        Some(Self { name: &sense.name, inputs: &sense.inputs, network, model, facts, words, expanded })
+        Some(Self { name: &sense.name, inputs: &sense.inputs, network, model, facts })
     }
 
     /// The failures of a row as this network sees them.
@@ -195,7 +195,7 @@ impl<'a> Sensed<'a> {
     }
 }
 
-fn row(group: &Group, models: &[Sensed<'_>], faults: &FaultSet) -> FaultRow {
+fn row(program: &Program, group: &Group, models: &[Sensed<'_>], faults: &FaultSet) -> FaultRow {
     let failed = faults.iter().map(|fault| {
         let Source { name, unit, .. } = &group.sensors[fault.input];
         Failed { sensor: name.clone(), unit: unit.clone(), reading: fault.reading }
@@ -203,22 +203,25 @@ fn row(group: &Group, models: &[Sensed<'_>], faults: &FaultSet) -> FaultRow {
     let mut row = FaultRow { failed: failed.collect(), events: Vec::new(), valuations: Vec::new(), modes: Vec::new() };
     for sensed in models {
         let own = sensed.faults(faults);
-        let find = |facts: &'_ [NetworkFacts]| facts.iter().position(|facts| facts.faults == own);
-        let (Some(facts), Some(expanded)) = (find(&sensed.facts), find(&sensed.expanded)) else { continue };
-        let (facts, expanded) = (&sensed.facts[facts], &sensed.expanded[expanded]);
+        let Some(facts) = sensed.facts.iter().find(|facts| facts.faults == own) else { continue };
         for (index, event) in sensed.network.events.iter().enumerate() {
-            let [contributor, detractor] = surviving(&sensed.words[index], expanded, index);
+            let words = |rules: &[SingleRule]| {
+                let mut words: Vec<_> = rules.iter().map(|rule| in_words(program, sensed.network, rule)).collect();
+                words.sort();
+                words
+            };
+            let all = sensed.model.written_out(index);
+            let rules = sensed.model.survivors(index, &own).zip(all).map(|(left, all)| RuleRows {
+                contributor: words(&left.contributor),
+                detractor: words(&left.detractor),
+                masked: (all.contributor.len() - left.contributor.len(), all.detractor.len() - left.detractor.len()),
+            });
             let of = &facts.events[index];
             row.events.push(EventRow {
                 name: format!("{}.{}", sensed.name, event.symbol.name),
                 can_set: of.set.is_possible(),
                 can_clear: of.clear.is_possible(),
-                masked: (
-                    sensed.words[index][0].len() - contributor.len(),
-                    sensed.words[index][1].len() - detractor.len(),
-                ),
-                contributor,
-                detractor,
+                rules,
                 witness_set: of.set.witness().map(|witness| readings(group, sensed, &own, witness)),
             });
         }
@@ -275,18 +278,6 @@ fn modes_row(program: &Program, group: &Group, id: Id<ir::Diagram>, facts: &[Fac
     }
 }
 
-/// The rules of an event that can be above 0, in words.
-fn surviving(words: &[Vec<Vec<String>>; 2], expanded: &NetworkFacts, event: usize) -> [Vec<Vec<String>>; 2] {
-    let facts = &expanded.events[event];
-    let left = |words: &[Vec<String>], facts: &[network::RuleFacts]| {
-        let alive = words.iter().zip(facts).filter(|(_, facts)| facts.fires != Verdict::Never);
-        let mut alive: Vec<_> = alive.map(|(words, _)| words.clone()).collect();
-        alive.sort();
-        alive
-    };
-    [left(&words[0], &facts.contributor), left(&words[1], &facts.detractor)]
-}
-
 fn readings(group: &Group, sensed: &Sensed<'_>, faults: &FaultSet, witness: &Witness) -> Vec<(String, f64)> {
     let complete = sensed.model.complete(faults, witness);
     let named = sensed.inputs.iter().zip(&complete.readings);
@@ -295,41 +286,11 @@ fn readings(group: &Group, sensed: &Sensed<'_>, faults: &FaultSet, witness: &Wit
         .collect()
 }
 
-/// A network whose rules name single terms, and its rules in words: of each event, those for and those against it.
-fn expand(program: &Program, network: &ir::Network) -> (ir::Network, Vec<[Vec<Vec<String>>; 2]>) {
-    let mut single = network.clone();
-    let words = single.events.iter_mut().map(|event| {
-        [&mut event.contributor, &mut event.detractor].map(|rules| {
-            *rules = rules.iter().flat_map(expand_rule).collect();
-            rules.sort_by(|one, other| one.clauses.cmp(&other.clauses));
-            rules.dedup_by(|one, other| one.clauses == other.clauses);
-            rules.iter().map(|rule| in_words(program, network, rule)).collect()
-        })
-    });
-    let words = words.collect();
-    (single, words)
-}
-
-fn expand_rule(rule: &ir::Rule) -> Vec<ir::Rule> {
-    let mut all = vec![Vec::new()];
-    for clause in &rule.clauses {
-        let single = |literal: &ir::Literal| ir::Clause { input: clause.input, any_of: vec![*literal] };
-        all = all
-            .iter()
-            .flat_map(|before: &Vec<ir::Clause>| {
-                clause.any_of.iter().map(move |literal| [before.as_slice(), &[single(literal)]].concat())
-            })
-            .collect();
-    }
-    all.into_iter().map(|clauses| ir::Rule { clauses, span: rule.span }).collect()
-}
-
 /// A word for each input: the term, `not term`, or `-` where the rule leaves the input out.
-fn in_words(program: &Program, network: &ir::Network, rule: &ir::Rule) -> Vec<String> {
+fn in_words(program: &Program, network: &ir::Network, rule: &SingleRule) -> Vec<String> {
     let words = network.inputs.iter().enumerate().map(|(position, input)| {
         let terms = &program.variables[input.variable].terms;
-        let clauses = rule.clauses.iter().filter(|clause| clause.input as usize == position);
-        let literals = clauses.flat_map(|clause| &clause.any_of).map(|literal| {
+        let literals = rule.iter().filter(|(input, _)| *input == position).map(|(_, literal)| {
             let name = &terms[literal.term as usize].symbol.name;
             if literal.negated { format!("not {name}") } else { name.clone() }
         });

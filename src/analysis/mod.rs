@@ -16,7 +16,7 @@ mod reachability;
 mod requirements;
 mod support;
 
-pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, ModesRow, fault_table};
+pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, ModesRow, RuleRows, fault_table};
 
 use crate::diag::Diagnostic;
 use crate::ir::Program;

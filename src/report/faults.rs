@@ -7,7 +7,7 @@ use serde::ser::{SerializeMap, Serializer};
 
 use super::json::{SCHEMA, to_line};
 use super::paint::Paint;
-use crate::analysis::{EventRow, FaultRow, FaultTable, ModesRow};
+use crate::analysis::{EventRow, FaultRow, FaultTable, ModesRow, RuleRows};
 use crate::ir::FailReading;
 
 /// Renders the table as one JSON object on one line.
@@ -36,9 +36,9 @@ enum Failed {
 struct Event<'a> {
     can_set: bool,
     can_clear: bool,
-    contributor: &'a [Vec<String>],
-    detractor: &'a [Vec<String>],
-    masked: Masked,
+    contributor: Option<&'a [Vec<String>]>,
+    detractor: Option<&'a [Vec<String>]>,
+    masked: Option<Masked>,
     witness_set: Option<Members<'a, f64>>,
 }
 
@@ -93,9 +93,9 @@ fn to_event(event: &EventRow) -> Event<'_> {
     Event {
         can_set: event.can_set,
         can_clear: event.can_clear,
-        contributor: &event.contributor,
-        detractor: &event.detractor,
-        masked: Masked { contributor: event.masked.0, detractor: event.masked.1 },
+        contributor: event.rules.as_ref().map(|rules| rules.contributor.as_slice()),
+        detractor: event.rules.as_ref().map(|rules| rules.detractor.as_slice()),
+        masked: event.rules.as_ref().map(|rules| Masked { contributor: rules.masked.0, detractor: rules.masked.1 }),
         witness_set: witness
             .map(|readings| Members(readings.iter().map(|(name, value)| (name.as_str(), *value)).collect())),
     }
@@ -112,11 +112,8 @@ pub fn faults(table: &FaultTable, color: bool) -> String {
             let (word, bad) = ability(event);
             let word = if bad { paint.bad(word) } else { paint.good(word) };
             let _ = writeln!(out, "  {}  {word}", event.name);
-            for (side, rules, masked) in
-                [("for", &event.contributor, event.masked.0), ("against", &event.detractor, event.masked.1)]
-            {
-                let _ = writeln!(out, "    {side:8} {}", rule_list(rules, masked, 8));
-            }
+            let _ = writeln!(out, "    for      {}", contributors(event, 8));
+            let _ = writeln!(out, "    against  {}", detractors(event, 8));
         }
         for modes in &row.modes {
             let lines = mode_lines(modes);
@@ -148,7 +145,7 @@ pub fn faults_markdown(table: &FaultTable) -> String {
     for row in &table.rows {
         let _ = write!(out, "| {} |", title(row));
         for event in &row.events {
-            let rules = rule_list(&event.contributor, event.masked.0, 4);
+            let rules = contributors(event, 4);
             let _ = write!(out, " {}; for it: {rules} |", ability(event).0);
         }
         let modes: Vec<_> = row.modes.iter().flat_map(mode_lines).collect();
@@ -168,7 +165,7 @@ pub fn faults_html(table: &FaultTable, file: &str) -> String {
             .map(|event| {
                 let (word, bad) = ability(event);
                 let class = if bad { "bad" } else { "good" };
-                let rules = cell(&rule_list(&event.contributor, event.masked.0, 4));
+                let rules = cell(&contributors(event, 4));
                 format!("<td class=\"{class}\">{word}<br><small>{rules}</small></td>")
             })
             .collect();
@@ -209,6 +206,20 @@ fn ability(event: &EventRow) -> (&'static str, bool) {
         (false, true) => ("can never be set", true),
         (false, false) => ("has no reading", true),
     }
+}
+
+fn contributors(event: &EventRow, most: usize) -> String {
+    let list = |rules: &RuleRows| rule_list(&rules.contributor, rules.masked.0, most);
+    event.rules.as_ref().map_or_else(too_many, list)
+}
+
+fn detractors(event: &EventRow, most: usize) -> String {
+    let list = |rules: &RuleRows| rule_list(&rules.detractor, rules.masked.1, most);
+    event.rules.as_ref().map_or_else(too_many, list)
+}
+
+fn too_many() -> String {
+    "more rules than can be listed".to_owned()
 }
 
 fn rule_list(rules: &[Vec<String>], masked: usize, most: usize) -> String {

@@ -26,6 +26,10 @@ fn rules(rules: &[[&str; 3]]) -> Vec<Vec<String>> {
     rules.iter().map(|rule| rule.map(str::to_owned).to_vec()).collect()
 }
 
+fn rules_of(event: &EventRow) -> &lmslc::analysis::RuleRows {
+    event.rules.as_ref().unwrap()
+}
+
 const LEFT: &str = "left_wheel_acceleration";
 const RIGHT: &str = "right_wheel_acceleration";
 const FORCE: &str = "contact_force";
@@ -35,12 +39,12 @@ const FORCE: &str = "contact_force";
 fn without_force_collisions_are_found_from_acceleration_alone() {
     let table = table(MANIPULATION, 3);
     let collision = event(&table, &[FORCE], "forward_collision");
-    assert_eq!(collision.contributor, rules(&[["neg", "neg", "low"]]));
-    assert_eq!(collision.detractor, event(&table, &[], "forward_collision").detractor);
-    assert_eq!(collision.masked, (15, 0));
+    assert_eq!(rules_of(collision).contributor, rules(&[["neg", "neg", "low"]]));
+    assert_eq!(rules_of(collision).detractor, rules_of(event(&table, &[], "forward_collision")).detractor);
+    assert_eq!(rules_of(collision).masked, (15, 0));
     assert!(collision.can_set && collision.can_clear);
     let heavy = event(&table, &[FORCE], "heavy_obstacle");
-    assert!(heavy.contributor.is_empty() && !heavy.can_set, "nothing can be called heavy");
+    assert!(rules_of(heavy).contributor.is_empty() && !heavy.can_set, "nothing can be called heavy");
 }
 
 /// Eqs. 11 and 12: with both accelerations failed at 0, force alone decides.
@@ -48,8 +52,8 @@ fn without_force_collisions_are_found_from_acceleration_alone() {
 fn without_accelerations_collisions_are_found_from_force_alone() {
     let table = table(MANIPULATION, 3);
     let collision = event(&table, &[LEFT, RIGHT], "forward_collision");
-    assert_eq!(collision.contributor, rules(&[["zero", "zero", "high"], ["zero", "zero", "med"]]));
-    assert_eq!(collision.detractor, rules(&[["zero", "zero", "low"]]));
+    assert_eq!(rules_of(collision).contributor, rules(&[["zero", "zero", "high"], ["zero", "zero", "med"]]));
+    assert_eq!(rules_of(collision).detractor, rules(&[["zero", "zero", "low"]]));
     assert!(collision.can_set && event(&table, &[LEFT, RIGHT], "heavy_obstacle").can_set);
 }
 

@@ -24,13 +24,23 @@ const MOST_EXPANDED: usize = 1 << 12;
 impl Model {
     /// What failures leave of an event's rules; `None` where its rules stand for too many.
     pub fn survivors(&self, event: usize, faults: &FaultSet) -> Option<Survivors> {
-        let (event, states) = (self.events.get(event)?, self.states(faults));
+        let states = self.states(faults);
+        self.single_rules(event, |rule| self.can_fire(rule, &states))
+    }
+
+    /// All of an event's rules written out in single terms; `None` where they stand for too many.
+    pub fn written_out(&self, event: usize) -> Option<Survivors> {
+        self.single_rules(event, |_| true)
+    }
+
+    fn single_rules(&self, event: usize, keep: impl Fn(&[Clause]) -> bool) -> Option<Survivors> {
+        let event = self.events.get(event)?;
         let single = |rule: &Vec<(usize, &[usize])>| -> Option<Vec<SingleRule>> {
-            let fires = expanded(rule)?.into_iter().filter(|rule| self.can_fire(rule, &states));
+            let kept = expanded(rule)?.into_iter().filter(|rule| keep(rule));
             let literal = |(input, literals): &Clause| {
                 literals.iter().map(|&literal| (*input, self.inputs[*input].literals[literal])).collect::<Vec<_>>()
             };
-            Some(fires.map(|rule| rule.iter().flat_map(literal).collect()).collect())
+            Some(kept.map(|rule| rule.iter().flat_map(literal).collect()).collect())
         };
         let side = |rules: &[Vec<(usize, &[usize])>]| -> Option<Vec<SingleRule>> {
             let mut all = rules.iter().map(single).collect::<Option<Vec<_>>>()?.concat();
