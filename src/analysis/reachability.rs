@@ -34,7 +34,7 @@ impl Graph {
         reached
     }
 
-    /// The modes that lead to each other, in groups; a mode on its own is a group.
+    /// The modes that lead to each other, in sorted groups; a mode on its own is a group.
     pub(super) fn groups(&self) -> Vec<Vec<Id<Mode>>> {
         let of_group = |group: Vec<NodeIndex>| {
             let mut modes: Vec<_> = group.into_iter().map(|node| Id::new(node.index() as u32)).collect();
@@ -50,6 +50,11 @@ impl Graph {
     }
 }
 
+/// Whether a sorted group holds a mode.
+pub(super) fn is_in(group: &[Id<Mode>], mode: Id<Mode>) -> bool {
+    group.binary_search(&mode).is_ok()
+}
+
 pub(super) fn check(diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
     // What was left out may have held the way to a mode.
     let (Some(entry), false) = (diagram.entry, diagram.incomplete) else { return };
@@ -60,7 +65,7 @@ pub(super) fn check(diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
     let graph = Graph::new(diagram, |mode| written(&diagram.modes[mode]));
     let mut reported = graph.reached(entry);
     for group in graph.groups().iter().filter(|group| group.len() > 1) {
-        let leads_in = |mode: Id<Mode>| !group.contains(&mode) && graph.successors(mode).any(|to| group.contains(&to));
+        let leads_in = |mode: Id<Mode>| !is_in(group, mode) && graph.successors(mode).any(|to| is_in(group, to));
         let judged_elsewhere = group.iter().all(|&mode| diagram.modes[mode].inherited);
         if !reported[group[0].index()] && !judged_elsewhere && !diagram.modes.ids().any(leads_in) {
             findings.push(island(diagram, group, &diagram.modes[entry]));

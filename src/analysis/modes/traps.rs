@@ -1,7 +1,7 @@
 //! Modes that the machine cannot leave, though they are not final.
 
 use super::{Examined, successors};
-use crate::analysis::reachability::Graph;
+use crate::analysis::reachability::{Graph, is_in};
 use crate::base::Id;
 use crate::diag::{Diagnostic, rules};
 use crate::ir::{Diagram, Mode};
@@ -11,7 +11,7 @@ pub(super) fn check(diagram: &Diagram, modes: &[Option<Examined>], findings: &mu
     let graph = Graph::new(diagram, |mode| successors(&diagram.modes[mode], modes[mode.index()].as_ref()));
     let reached = graph.reached(entry);
     for group in graph.groups() {
-        let ends = group.iter().all(|mode| graph.successors(*mode).all(|target| group.contains(&target)));
+        let ends = group.iter().all(|mode| graph.successors(*mode).all(|target| is_in(&group, target)));
         if ends && reached[group[0].index()] && is_trap(diagram, &group, &reached) {
             findings.push(trap(diagram, &group));
         }
@@ -25,7 +25,7 @@ fn is_trap(diagram: &Diagram, group: &[Id<Mode>], reached: &[bool]) -> bool {
     let mut targets = group.iter().flat_map(|mode| &diagram.modes[*mode].transitions).filter_map(|exit| exit.target);
     match group {
         [mode] if targets.clone().all(|target| target == *mode) => targets.next().is_some() && diagram.modes.len() > 1,
-        _ => targets.any(|target| !group.contains(&target) && reached[target.index()]),
+        _ => targets.any(|target| !is_in(group, target) && reached[target.index()]),
     }
 }
 
@@ -35,7 +35,7 @@ fn trap(diagram: &Diagram, group: &[Id<Mode>]) -> Diagnostic {
     let more = if modes.len() > 5 { format!(" and {} more", modes.len() - 5) } else { String::new() };
     let message = format!("the machine can never leave {}{more}", names.join(", "));
     let mut diagnostic = Diagnostic::new(&rules::TRAP, modes[0].symbol.span, message);
-    let leaves = |target: Option<Id<Mode>>| target.is_some_and(|target| !group.contains(&target));
+    let leaves = |target: Option<Id<Mode>>| target.is_some_and(|target| !is_in(group, target));
     for transition in modes.iter().flat_map(|mode| &mode.transitions).filter(|exit| leaves(exit.target)).take(3) {
         diagnostic = diagnostic.label(transition.span, "never taken");
     }
