@@ -3,7 +3,6 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
-use super::levels::LevelFlags;
 use super::quantity::quantity;
 use super::terminal::{Terminal, exit_code};
 use crate::base::Unit;
@@ -47,13 +46,8 @@ enum Format {
 }
 
 impl Eval {
-    pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
-        self.carry_out(terminal).unwrap_or_else(|code| code)
-    }
-
-    fn carry_out(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let analysis = files::analyze(std::slice::from_ref(&self.file), &LevelFlags::default(), terminal)?;
-        terminal.findings(&analysis);
+    pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
+        let analysis = files::look(std::slice::from_ref(&self.file), terminal)?;
         let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
         let networks = &analysis.program.networks;
         let Some((id, _)) = networks.iter().find(|(_, network)| network.symbol.name == self.network) else {

@@ -63,6 +63,16 @@ pub(super) fn analyze(paths: &[String], flags: &LevelFlags, terminal: &Terminal)
     Ok(driver::analyze(&Disk { stdin }, &roots, &options))
 }
 
+/// Analyzes as [`analyze`] does and shows what was found, for commands that go on from there.
+///
+/// # Errors
+/// As for [`analyze`].
+pub(super) fn look(paths: &[String], terminal: &Terminal) -> Result<Analysis, u8> {
+    let analysis = analyze(paths, &LevelFlags::default(), terminal)?;
+    terminal.findings(&analysis);
+    Ok(analysis)
+}
+
 /// The files of the language in a folder and the folders in it, by name; hidden folders and `target` are passed over.
 fn collect(folder: &Path, files: &mut Vec<String>) -> std::io::Result<()> {
     let mut entries = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;

@@ -78,12 +78,14 @@ enum Command {
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let terminal = Terminal::new(arguments.color, arguments.quiet);
-    ExitCode::from(match arguments.command {
-        Command::Check(check) => check.execute(&terminal),
+    let code = match arguments.command {
+        Command::Check(check) => Ok(check.execute(&terminal)),
         Command::Run(run) => run.execute(&terminal),
         Command::Test(test) => test.execute(&terminal),
         Command::Eval(eval) => eval.execute(&terminal),
         Command::Faults(faults) => faults.execute(&terminal),
-        Command::Explain(explain) => explain.execute(&terminal),
-    })
+        Command::Explain(explain) => Ok(explain.execute(&terminal)),
+    };
+    // Whether a command came to its end or was cut short, its answer is an exit code.
+    ExitCode::from(code.unwrap_or_else(|code| code))
 }

@@ -4,7 +4,6 @@ use clap::Args;
 use rayon::prelude::*;
 
 use super::files;
-use super::levels::LevelFlags;
 use super::run::{Format, outcome, scenarios};
 use super::terminal::{Terminal, exit_code};
 use crate::sim::{self, RunOptions};
@@ -29,13 +28,8 @@ pub(super) struct Test {
 }
 
 impl Test {
-    pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
-        self.carry_out(terminal).unwrap_or_else(|code| code)
-    }
-
-    fn carry_out(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let analysis = files::analyze(&self.files, &LevelFlags::default(), terminal)?;
-        terminal.findings(&analysis);
+    pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
+        let analysis = files::look(&self.files, terminal)?;
         let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
         let mut chosen = scenarios(&analysis);
         chosen.retain(|scenario| scenario.symbol.name.contains(&self.filter));
