@@ -33,14 +33,14 @@ fn behavior(modes: usize) -> Analysis {
         text += &format!(" mode m{mode} {{ drive(26 cm/s) 1: {guard} -> m{far} 2: after 2 s -> m{next} }}\n");
     }
     let analysis = analyze(&Text(text + "}\n"), &["main.msd".to_owned()], &Options::default());
-    assert!(analysis.findings.is_empty());
+    assert!(!analysis.has_errors());
     analysis
 }
 
 #[divan::bench(args = [100, 1_000, 5_000], max_time = 3)]
 fn check_modes(bencher: Bencher, modes: usize) {
     let analysis = behavior(modes);
-    bencher.counter(ItemsCount::new(modes)).bench(|| analysis::run(black_box(&analysis.program)));
+    bencher.counter(ItemsCount::new(modes)).bench(|| analysis::run(black_box(&analysis.program), 1, |_| true));
 }
 
 #[divan::bench(args = [100, 1_000], max_time = 3)]

@@ -18,17 +18,20 @@ mod support;
 
 pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, ModesRow, RuleRows, fault_table};
 
+use crate::base::FileId;
 use crate::diag::Diagnostic;
-use crate::ir::Program;
+use crate::ir::{Program, Symbol};
 
-/// Every finding about a program, in no particular order. Linear in its size, and in the cases of each mode.
-pub fn run(program: &Program) -> Vec<Diagnostic> {
+/// Every finding about what the files that matter declare, with up to so many failed sensors, in no particular order.
+/// Linear in the size of the program, and in the cases of each mode.
+pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
-    for variable in program.variables.values() {
+    let matters = |symbol: &Symbol| matters(symbol.span.file);
+    for variable in program.variables.values().filter(|variable| matters(&variable.symbol)) {
         breakpoints::check(variable, &mut findings);
         coverage::check(variable, &mut findings);
     }
-    for diagram in program.diagrams.values() {
+    for diagram in program.diagrams.values().filter(|diagram| matters(&diagram.symbol)) {
         priorities::check(diagram, &mut findings);
         exits::check(diagram, &mut findings);
         requirements::check(diagram, program, &mut findings);

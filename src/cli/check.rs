@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
-use super::levels::LevelFlags;
+use super::flags::AnalysisFlags;
 use super::terminal::{Terminal, exit_code};
 use super::{files, fix};
 use crate::report;
@@ -20,7 +20,7 @@ pub(super) struct Check {
     #[arg(long)]
     fix: bool,
     #[command(flatten)]
-    levels: LevelFlags,
+    flags: AnalysisFlags,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -40,21 +40,26 @@ enum Format {
 impl Check {
     pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
         let look = if self.fix { fix::fix } else { files::analyze };
-        let analysis = match look(&self.files, &self.levels, terminal) {
+        let analysis = match look(&self.files, Some(&self.flags), terminal) {
             Ok(analysis) => analysis,
             Err(code) => return code,
         };
         match self.format {
             Format::Human => {
                 terminal.findings(&analysis);
-                if analysis.findings.is_empty() {
+                if terminal.worth_saying(&analysis).is_empty() {
                     let count = analysis.roots.len();
-                    terminal.note(&format!("{count} file{} checked: nothing found", if count == 1 { "" } else { "s" }));
+                    let files = if count == 1 { "file" } else { "files" };
+                    let known = match analysis.findings.as_slice() {
+                        [] => "nothing found".to_owned(),
+                        known => format!("nothing found; {} with --verbose", report::summary(known)),
+                    };
+                    terminal.note(&format!("{count} {files} checked: {known}"));
                 }
             }
-            Format::Short => Terminal::print(&report::short(&analysis.findings, &analysis.sources)),
+            Format::Short => Terminal::print(&report::short(&terminal.worth_saying(&analysis), &analysis.sources)),
             Format::Sarif => Terminal::print(&report::sarif(&analysis.findings, &analysis.sources)),
-            Format::Github => Terminal::print(&report::github(&analysis.findings, &analysis.sources)),
+            Format::Github => Terminal::print(&report::github(&terminal.worth_saying(&analysis), &analysis.sources)),
             Format::Json => Terminal::print(&report::json(&analysis.findings, &analysis.sources)),
         }
         exit_code(&analysis)

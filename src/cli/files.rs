@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
-use super::{config, levels::LevelFlags, terminal::Terminal};
+use super::{config, flags::AnalysisFlags, terminal::Terminal};
 use crate::driver::{self, Analysis, FileError, Files, Options};
 
 /// The disk, and standard input as `-`.
@@ -41,7 +41,7 @@ fn standard_input() -> Result<String, FileError> {
 ///
 /// # Errors
 /// The exit code, where the arguments or the configuration are wrong; that has been reported.
-pub(super) fn analyze(paths: &[String], flags: &LevelFlags, terminal: &Terminal) -> Result<Analysis, u8> {
+pub(super) fn analyze(paths: &[String], flags: Option<&AnalysisFlags>, terminal: &Terminal) -> Result<Analysis, u8> {
     let mut roots = Vec::new();
     for path in paths {
         if path != "-" && Path::new(path).is_dir() {
@@ -57,8 +57,11 @@ pub(super) fn analyze(paths: &[String], flags: &LevelFlags, terminal: &Terminal)
             roots.push(path.clone());
         }
     }
-    let mut options = Options { levels: config::levels(roots.first().map_or("", String::as_str), terminal)? };
-    flags.apply(&mut options.levels, terminal)?;
+    let levels = config::levels(roots.first().map_or("", String::as_str), terminal)?;
+    let mut options = Options { levels, ..Options::default() };
+    if let Some(flags) = flags {
+        flags.apply(&mut options, terminal)?;
+    }
     let stdin = roots.iter().any(|root| root == "-").then(standard_input);
     Ok(driver::analyze(&Disk { stdin }, &roots, &options))
 }
@@ -68,7 +71,7 @@ pub(super) fn analyze(paths: &[String], flags: &LevelFlags, terminal: &Terminal)
 /// # Errors
 /// As for [`analyze`].
 pub(super) fn look(paths: &[String], terminal: &Terminal) -> Result<Analysis, u8> {
-    let analysis = analyze(paths, &LevelFlags::default(), terminal)?;
+    let analysis = analyze(paths, None, terminal)?;
     terminal.findings(&analysis);
     Ok(analysis)
 }

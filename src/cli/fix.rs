@@ -1,7 +1,7 @@
 //! `lmslc check --fix`: carries out the fixes that cannot change behavior.
 
 use super::files;
-use super::levels::LevelFlags;
+use super::flags::AnalysisFlags;
 use super::terminal::Terminal;
 use crate::diag::apply_fixes;
 use crate::driver::Analysis;
@@ -15,7 +15,7 @@ const ROUNDS: usize = 100;
 ///
 /// # Errors
 /// The exit code; the reason has been reported.
-pub(super) fn fix(paths: &[String], flags: &LevelFlags, terminal: &Terminal) -> Result<Analysis, u8> {
+pub(super) fn fix(paths: &[String], flags: Option<&AnalysisFlags>, terminal: &Terminal) -> Result<Analysis, u8> {
     if paths.iter().any(|path| path == "-") {
         return Err(terminal.fail("standard input cannot be fixed", Some("give the file by its name")));
     }

@@ -11,7 +11,7 @@ mod explain;
 mod faults;
 mod files;
 mod fix;
-mod levels;
+mod flags;
 mod quantity;
 mod run;
 mod terminal;
@@ -21,6 +21,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use terminal::Terminal;
+
+use crate::diag::Severity;
 
 /// Nothing was found.
 const CLEAN: u8 = 0;
@@ -49,6 +51,20 @@ struct Arguments {
     /// Print nothing but what was asked for: no warnings, no summary
     #[arg(short, long, global = true)]
     quiet: bool,
+    /// Also print what is only worth knowing
+    #[arg(short, long, global = true, conflicts_with = "quiet")]
+    verbose: bool,
+}
+
+impl Arguments {
+    /// The least severity that people are shown.
+    fn least(&self) -> Severity {
+        match (self.quiet, self.verbose) {
+            (true, _) => Severity::Error,
+            (false, false) => Severity::Warning,
+            (false, true) => Severity::Info,
+        }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -77,7 +93,7 @@ enum Command {
 /// Parses the process's arguments, does what they say, and answers the exit code.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let terminal = Terminal::new(arguments.color, arguments.quiet);
+    let terminal = Terminal::new(arguments.color, arguments.least());
     let code = match arguments.command {
         Command::Check(check) => Ok(check.execute(&terminal)),
         Command::Run(run) => run.execute(&terminal),

@@ -14,11 +14,12 @@ pub(super) struct Terminal {
     pub(super) color_err: bool,
     /// Whether human text on standard output is colored.
     pub(super) color_out: bool,
-    quiet: bool,
+    /// The least severity that people are shown; nothing but errors when quiet.
+    least: Severity,
 }
 
 impl Terminal {
-    pub(super) fn new(color: When, quiet: bool) -> Self {
+    pub(super) fn new(color: When, least: Severity) -> Self {
         let allowed = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
         let wanted = |terminal: bool| match color {
             When::Auto => terminal && allowed,
@@ -28,7 +29,7 @@ impl Terminal {
         Self {
             color_err: wanted(std::io::stderr().is_terminal()),
             color_out: wanted(std::io::stdout().is_terminal()),
-            quiet,
+            least,
         }
     }
 
@@ -50,7 +51,7 @@ impl Terminal {
 
     /// A remark, on standard error.
     pub(super) fn note(&self, text: &str) {
-        if !self.quiet {
+        if self.least < Severity::Error {
             eprintln!("{text}");
         }
     }
@@ -70,14 +71,16 @@ impl Terminal {
         eprintln!("{}", report::human(findings, sources, self.color_err).trim_end());
     }
 
-    /// Findings for people, on standard error; only errors when quiet.
+    /// Findings without those that are only worth knowing, unless these are wanted too.
+    pub(super) fn worth_saying(&self, analysis: &Analysis) -> Vec<Diagnostic> {
+        let least = self.least.min(Severity::Warning);
+        analysis.findings.iter().filter(|finding| finding.severity >= least).cloned().collect()
+    }
+
+    /// Findings for people, on standard error.
     pub(super) fn findings(&self, analysis: &Analysis) {
-        let shown: Vec<Diagnostic> = analysis
-            .findings
-            .iter()
-            .filter(|finding| !self.quiet || finding.severity == Severity::Error)
-            .cloned()
-            .collect();
+        let mut shown = self.worth_saying(analysis);
+        shown.retain(|finding| finding.severity >= self.least);
         if !shown.is_empty() {
             eprint!("{}", report::human(&shown, &analysis.sources, self.color_err));
             self.note(&report::summary(&shown));

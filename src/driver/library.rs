@@ -1,6 +1,6 @@
 //! The standard library, embedded in the binary.
 
-use crate::base::Sources;
+use crate::base::{FileId, Sources};
 use crate::diag::{Diagnostic, rules};
 
 /// Every file of the standard library: its path, and its text. `std/robots/j5.msd` is imported as `std.robots.j5`.
@@ -17,6 +17,11 @@ pub const LIBRARY: &[(&str, &str)] = &[
 /// The text of a file of the library.
 pub(super) fn find(path: &str) -> Option<&'static str> {
     LIBRARY.iter().find(|(known, _)| *known == path).map(|(_, text)| *text)
+}
+
+/// Whether a file is one of the library, and not one of the user's.
+pub(super) fn holds(sources: &Sources, file: FileId) -> bool {
+    find(sources.path(file)).is_some()
 }
 
 /// Names the import to write, where a name is declared nowhere but a file of the library is called so.

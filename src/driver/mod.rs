@@ -14,10 +14,18 @@ use crate::diag::{self, Diagnostic, Levels, Severity, Suppressions, rules};
 use crate::{analysis, ir, plan, sema, sim};
 
 /// How to look at a compilation.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Options {
     /// Which findings count, and how much.
     pub levels: Levels,
+    /// The most sensors that are looked at as failed together.
+    pub faults: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { levels: Levels::default(), faults: 1 }
+    }
 }
 
 /// Everything known about a compilation. Broken input gives a partial program and findings.
@@ -54,7 +62,7 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     let (program, mut lowering) = sema::lower(&units, &sources);
     library::suggest(&mut lowering, &sources);
     findings.extend(lowering);
-    findings.extend(analysis::run(&program));
+    findings.extend(analysis::run(&program, options.faults, |file| !library::holds(&sources, file)));
     findings.extend(sim::placements(&program));
     let suppressions = Suppressions::collect(&sources, &mut findings);
     findings.extend(suppressions.unused(&findings, &sources));

@@ -230,7 +230,7 @@ fn nothing_seems_unused_beside_an_error() {
 fn the_library_takes_levels_without_a_command_line() {
     let path = "tests/corpus/files/suppressions.msd";
     let count = |levels: &Levels, name: &str| {
-        let analysis = analyze_repository(path, &Options { levels: levels.clone() });
+        let analysis = analyze_repository(path, &Options { levels: levels.clone(), ..Options::default() });
         analysis.findings.iter().filter(|finding| finding.rule.name == name).count()
     };
     let rule = find_rule("dead-end").unwrap();

@@ -1,12 +1,13 @@
 //! Cases as files: the findings are written on the lines they belong to, their wording is kept in a snapshot beside.
 //!
 //! `//~ error LM0301, warning LM0404` at the end of a line names every finding whose primary label starts on it. A
-//! file without such a comment raises nothing at all. A folder with a `main.msd` is one case of several files.
+//! file without such a comment raises nothing at all, but what is only worth knowing is told of the codes that the file
+//! names alone. A folder with a `main.msd` is one case of several files.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use lmslc::diag::{Diagnostic, RULES};
+use lmslc::diag::{Diagnostic, RULES, Severity};
 use lmslc::driver::Analysis;
 
 use crate::support::{analyze_path, files_below, root};
@@ -42,7 +43,7 @@ fn expected(path: &str, text: &str) -> Vec<Told> {
         let Some((_, findings)) = line.split_once("//~") else { continue };
         for finding in findings.split(',') {
             let (severity, code) = finding.trim().split_once(' ').unwrap_or_else(|| panic!("{path}:{number}"));
-            assert!(matches!(severity, "error" | "warning"), "{path}:{number}: {severity}");
+            assert!(matches!(severity, "error" | "warning" | "info"), "{path}:{number}: {severity}");
             expected.push((path.to_owned(), number, severity.to_owned(), code.to_owned()));
         }
     }
@@ -69,6 +70,7 @@ fn check(path: &str) -> Result<Analysis, String> {
         .flat_map(|(_, source)| expected(&source.path, &source.text))
         .collect();
     let mut found = found(&analysis);
+    found.retain(|told| told.2 != "info" || expected.iter().any(|other| other.3 == told.3));
     expected.sort();
     found.sort();
     if expected == found {
@@ -90,7 +92,12 @@ fn check(path: &str) -> Result<Analysis, String> {
 
 /// The findings for people. The wording of what does not parse belongs to the tests of the parser.
 fn wording(analysis: &Analysis) -> String {
-    let own = |finding: &&Diagnostic| !finding.rule.code.starts_with("LM01") || finding.rule.code == "LM0105";
+    let named = |code: &str| analysis.sources.iter().any(|(_, source)| source.text.contains(&format!("info {code}")));
+    let own = |finding: &&Diagnostic| {
+        let code = finding.rule.code;
+        let told = finding.severity > Severity::Info || named(code);
+        told && (!code.starts_with("LM01") || code == "LM0105")
+    };
     let findings: Vec<_> = analysis.findings.iter().filter(own).cloned().collect();
     lmslc::report::human(&findings, &analysis.sources, false)
 }
