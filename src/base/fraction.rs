@@ -36,6 +36,13 @@ impl Fraction {
         Self(Form::Short(ratio))
     }
 
+    pub(super) fn to_short(&self) -> Option<Ratio<i128>> {
+        match &self.0 {
+            Form::Short(ratio) => Some(*ratio),
+            Form::Long(_) => None,
+        }
+    }
+
     pub(super) fn long(value: BigRational) -> Self {
         match (value.numer().to_i128(), value.denom().to_i128()) {
             (Some(numerator), Some(denominator)) => Self(Form::Short(Ratio::new_raw(numerator, denominator))),

@@ -151,6 +151,11 @@ impl Exact {
         Fraction::long(Self { ratio: self.ratio, pi: self.pi.saturating_sub(pi) }.to_big())
     }
 
+    /// A fraction of `π^pi`; `None` where it is too long to be kept.
+    pub fn from_fraction(fraction: &Fraction, pi: i8) -> Option<Self> {
+        Some(Self { ratio: fraction.to_short()?, pi: if fraction.is_zero() { 0 } else { pi } })
+    }
+
     /// As an arbitrarily long fraction, π to 60 digits.
     fn to_big(self) -> BigRational {
         times_pi(BigRational::new((*self.ratio.numer()).into(), (*self.ratio.denom()).into()), self.pi)

@@ -240,3 +240,30 @@ fn a_way_out_that_is_never_taken_makes_a_trap() {
         &[("LM0415", "b"), ("LM0409", "x > 3 and x < 2")],
     );
 }
+
+#[test]
+fn events_of_different_networks_exclude_each_other_over_shared_sensors() {
+    let found = |guard: &str| {
+        let networks = "
+            variable share: 1 in 0 .. 10 { little = ramp(10, 0)  much = ramp(0, 10) }
+            network first(a: share, b: share) { event more_x { contributor rule a is much  detractor rule b is much } }
+            network second(a: share, b: share) { event more_y { contributor rule a is much  detractor rule b is much } }";
+        let behavior = format!(
+            "import n\n{ROBOT}\nbehavior b on cart {{
+                sense first(x, y)
+                sense second(y, x)
+                entry a
+                mode a {{ halt()  1: {guard} -> b }}
+                mode b {{ halt()  1: after 1 s -> a }}
+            }}"
+        );
+        let analysis = analyze_texts(&[("b.msd", &behavior), ("n.fsfn", networks)]);
+        assert!(!analysis.has_errors(), "{}", report(&analysis));
+        analysis.findings.iter().map(|finding| finding.rule.name).collect::<Vec<_>>()
+    };
+    // More of one is less of the other: between the two lies a line, no cell of any grid.
+    assert!(found("more_x and more_y").contains(&"condition-never-true"));
+    assert!(!found("more_x or more_y").contains(&"condition-never-true"));
+    assert!(!found("more_x and x > 4 and y < 4.5").contains(&"condition-never-true"));
+    assert!(found("more_x and x < 4 and y > 4.5").contains(&"condition-never-true"));
+}

@@ -4,9 +4,10 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
+use crate::analysis::network::{self, Fed, Feeds};
 use crate::analysis::support::Interval;
 use crate::base::{Exact, Id};
-use crate::ir::{Diagram, Sensor};
+use crate::ir::{Diagram, Program, Sensor};
 
 /// Readings in SI, each sensor once.
 pub(super) type Readings = Vec<(Id<Sensor>, Exact)>;
@@ -25,32 +26,49 @@ pub(super) struct Question {
 pub(super) struct Valuation {
     /// A bit for each event asked for.
     pub(super) set: u64,
-    /// Readings that do it; `None` where it is not excluded, but not shown either.
+    /// Readings that do it; `None` where a number cannot be kept.
     pub(super) readings: Option<Readings>,
 }
 
-/// What decides it. Every valuation that some readings give must be among the answers.
-pub(super) trait Fusion {
-    fn valuations(&self, diagram: &Diagram, question: &Question) -> Vec<Valuation>;
+/// All answers to a question; `None` where there are too many, or a network is broken.
+type Answer = Option<Rc<Vec<Valuation>>>;
+
+/// More valuations than this are not looked into.
+const MOST_VALUATIONS: usize = 1 << 10;
+
+/// Answers, remembered: many modes ask the same.
+#[derive(Default)]
+pub(super) struct Fusion {
+    answers: RefCell<HashMap<Question, Answer>>,
 }
 
-/// Remembers the answers: many modes ask the same.
-pub(super) struct Remembered<F> {
-    fusion: F,
-    answers: RefCell<HashMap<Question, Rc<Vec<Valuation>>>>,
-}
-
-impl<F: Fusion> Remembered<F> {
-    pub(super) fn new(fusion: F) -> Self {
-        Self { fusion, answers: RefCell::default() }
-    }
-
-    pub(super) fn ask(&self, diagram: &Diagram, question: Question) -> Rc<Vec<Valuation>> {
+impl Fusion {
+    pub(super) fn ask(&self, program: &Program, diagram: &Diagram, question: Question) -> Answer {
         if let Some(answer) = self.answers.borrow().get(&question) {
-            return Rc::clone(answer);
+            return answer.clone();
         }
-        let answer = Rc::new(self.fusion.valuations(diagram, &question));
-        self.answers.borrow_mut().insert(question, Rc::clone(&answer));
+        let answer = valuations(program, diagram, &question).map(Rc::new);
+        self.answers.borrow_mut().insert(question, answer.clone());
         answer
     }
+}
+
+fn valuations(program: &Program, diagram: &Diagram, question: &Question) -> Option<Vec<Valuation>> {
+    let fed = |&(sense, event): &(u32, u32)| {
+        let sense = &diagram.senses[sense as usize];
+        Fed { network: &program.networks[sense.network], event, sensors: &sense.inputs }
+    };
+    let events: Vec<_> = question.events.iter().map(fed).collect();
+    let found = network::valuations(program, &events, &question.feeds, MOST_VALUATIONS)?;
+    let valuation = |valuation: network::Valuation| Valuation {
+        set: valuation.set.iter().zip(0..).map(|(set, event)| u64::from(*set) << event).sum(),
+        readings: readings(&question.feeds, &valuation.witness),
+    };
+    Some(found.into_iter().map(valuation).collect())
+}
+
+fn readings(feeds: &Feeds, witness: &network::Witness) -> Option<Readings> {
+    let read =
+        feeds.iter().zip(&witness.readings).filter_map(|((sensor, _), reading)| Some((*sensor, reading.as_ref()?)));
+    read.map(|(sensor, reading)| Some((sensor, Exact::from_fraction(&reading.fraction, reading.pi)?))).collect()
 }

@@ -3,14 +3,12 @@
 //! A claim that something never happens holds for all readings and all failures. Only then is there a warning.
 
 mod always_true;
-mod curve;
 mod dwell;
 mod examined;
 mod facts;
 mod faults;
 mod formula;
 mod fusion;
-mod grid;
 mod guards;
 mod inhibited;
 mod left_at_once;

@@ -4,8 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use super::faults::{self, FaultSet};
 use super::formula::{Atom, Formula, Operand, compare};
-use super::fusion::{Question, Readings, Remembered};
-use super::grid::Grid;
+use super::fusion::{Fusion, Question, Readings};
 use crate::analysis::support::{Cut, Interval};
 use crate::base::{Exact, Id};
 use crate::ir::{Diagram, Program, Sensor};
@@ -14,12 +13,12 @@ use crate::ir::{Diagram, Program, Sensor};
 pub(super) struct Scene<'a> {
     pub(super) program: &'a Program,
     pub(super) diagram: &'a Diagram,
-    pub(super) fusion: Remembered<Grid<'a>>,
+    pub(super) fusion: Fusion,
 }
 
 impl<'a> Scene<'a> {
     pub(super) fn new(program: &'a Program, diagram: &'a Diagram) -> Self {
-        Self { program, diagram, fusion: Remembered::new(Grid { program }) }
+        Self { program, diagram, fusion: Fusion::default() }
     }
 
     fn readings(&self, sensor: Id<Sensor>, faults: &FaultSet) -> Option<Interval> {
@@ -61,7 +60,7 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
         let here: BTreeMap<_, _> =
             cells.iter().zip(&place).map(|((sensor, cells), at)| (*sensor, cells[*at])).collect();
         let held = fixed | comparisons(formula, &here);
-        for Tick { truth, readings } in fused(scene, formula, faults, &here, held) {
+        for Tick { truth, readings } in fused(scene, formula, faults, &here, held)? {
             for choice in 0..1_u64 << free.len() {
                 let chosen: u64 = free.iter().enumerate().map(|(bit, atom)| (choice >> bit & 1) << atom).sum();
                 if known.insert(truth | chosen) {
@@ -165,14 +164,14 @@ fn comparisons(formula: &Formula, here: &BTreeMap<Id<Sensor>, Cell>) -> u64 {
     formula.atoms.iter().enumerate().map(|(index, atom)| u64::from(holds(atom)) << index).sum()
 }
 
-/// The ticks of one combination of cells: one for each joint valuation of the events.
+/// The ticks of one combination of cells: one for each joint valuation of the events; `None` where there are too many.
 fn fused(
     scene: &Scene<'_>,
     formula: &Formula,
     faults: &FaultSet,
     here: &BTreeMap<Id<Sensor>, Cell>,
     truth: u64,
-) -> Vec<Tick> {
+) -> Option<Vec<Tick>> {
     let absent = |sensor: &Id<Sensor>| scene.readings(*sensor, faults).is_none();
     let compared: Readings = here.iter().map(|(sensor, (_, at))| (*sensor, *at)).collect();
     let mut atoms = Vec::new();
@@ -185,7 +184,7 @@ fn fused(
     }
     if events.is_empty() {
         let shown = !compared.iter().any(|(sensor, _)| absent(sensor));
-        return vec![Tick { truth, readings: shown.then_some(compared) }];
+        return Some(vec![Tick { truth, readings: shown.then_some(compared) }]);
     }
     let sensors: BTreeSet<_> =
         events.iter().flat_map(|(sense, _)| &scene.diagram.senses[*sense as usize].inputs).copied().collect();
@@ -194,13 +193,13 @@ fn fused(
         (sensor, whole.map(|whole| here.get(&sensor).map_or(whole, |(cell, _)| *cell)))
     };
     let feeds = sensors.into_iter().map(feed).collect();
-    let answers = scene.fusion.ask(scene.diagram, Question { events, feeds });
+    let answers = scene.fusion.ask(scene.program, scene.diagram, Question { events, feeds })?;
     let tick = |set: u64, readings: Option<&Readings>| {
         let events: u64 = atoms.iter().enumerate().map(|(bit, atom)| (set >> bit & 1) << atom).sum();
         let readings = readings.and_then(|readings| merged(formula, here, &compared, readings));
         Tick { truth: truth | events, readings }
     };
-    answers.iter().map(|answer| tick(answer.set, answer.readings.as_ref())).collect()
+    Some(answers.iter().map(|answer| tick(answer.set, answer.readings.as_ref())).collect())
 }
 
 /// The readings that set the events, and those of the compared sensors that feed none of them; `None` where the

@@ -42,12 +42,12 @@ pub(super) fn valuations<'a>(
             known.found(model.flags(states, &witness), witness);
         }
     }
-    // Often nothing is left to search for.
-    if known.solver.holds(&[]) {
-        known = Search::new(model, states, known).run();
-    }
-    known.valuations.sort_by(|one, other| one.set.cmp(&other.set));
-    known.valuations
+    known.all(model, states, usize::MAX).unwrap_or_default()
+}
+
+/// The same where nothing is known of the events yet; `None` where there are more than `most`.
+pub(super) fn all_valuations(model: &Model, states: &[usize], most: usize) -> Option<Vec<Valuation>> {
+    Known::new(model).all(model, states, most)
 }
 
 /// The valuations found so far; the solver is to find another one.
@@ -75,6 +75,18 @@ impl Known {
             self.solver.demand(other);
             self.valuations.push(Valuation { set, witness });
         }
+    }
+}
+
+impl Known {
+    /// All of them, sorted; `None` where there are more than `most`.
+    fn all(mut self, model: &Model, states: &[usize], most: usize) -> Option<Vec<Valuation>> {
+        // Often nothing is left to search for.
+        if self.solver.holds(&[]) {
+            self = Search::new(model, states, self).run(most);
+        }
+        self.valuations.sort_by(|one, other| one.set.cmp(&other.set));
+        (self.valuations.len() <= most).then_some(self.valuations)
     }
 }
 
@@ -161,8 +173,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn run(mut self) -> Known {
-        while self.known.solver.holds(&[]) {
+    fn run(mut self, most: usize) -> Known {
+        while self.known.valuations.len() <= most && self.known.solver.holds(&[]) {
             let set: Vec<_> = self.known.set.iter().map(|&set| self.known.solver.value(set)).collect();
             let (inequalities, reasons) = self.inequalities(&set);
             match linear::solve(self.bounds.unknowns(), inequalities) {

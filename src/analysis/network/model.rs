@@ -34,7 +34,7 @@ pub(super) struct Input {
     pub(super) pi: i8,
     /// The literals that some rule of the network names.
     pub(super) literals: Vec<Literal>,
-    fails: Vec<FailReading>,
+    pub(super) fails: Vec<FailReading>,
     /// Healthy, then failed in each way.
     pub(super) sensors: Vec<Sensor>,
 }

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use super::curve::Curve;
+use crate::analysis::support::Interval;
 use crate::base::Fraction;
 use crate::ir::FailReading;
 
@@ -60,11 +61,26 @@ impl Sensor {
                 let value = value.to_fraction(pi);
                 Self::healthy(curves, &(value.clone(), value))
             }
-            FailReading::Absent => {
-                let degrees = curves.iter().map(|curve| (curve.without_reading(), curve.without_reading())).collect();
-                Self { cells: vec![Cell { ends: None, degrees }] }
-            }
+            FailReading::Absent => Self::absent(curves),
         }
+    }
+
+    /// A sensor that gives no reading.
+    pub(super) fn absent(curves: &[Curve]) -> Self {
+        let degrees = curves.iter().map(|curve| (curve.without_reading(), curve.without_reading())).collect();
+        Self { cells: vec![Cell { ends: None, degrees }] }
+    }
+
+    /// A sensor that gives the readings between two cuts; `None` where there are none.
+    pub(super) fn between(curves: &[Curve], (from, to): &Interval, pi: i8) -> Option<Self> {
+        let mut sensor = Self::healthy(curves, &(from.at.to_fraction(pi), to.at.to_fraction(pi)));
+        if from.after {
+            sensor.cells.remove(0);
+        }
+        if !to.after {
+            sensor.cells.pop();
+        }
+        (from < to).then_some(sensor)
     }
 }
 
