@@ -4,7 +4,7 @@
 //! included in emitted code.
 //!
 //! Imports: –
-//! Crates: –
+//! Crates: libm
 
 /// A reading made safe: the fail reading where the sensor is known to have failed or the number is not finite, else
 /// the number clamped to its range. `low <= high`; never NaN if `fail` is not.
@@ -87,6 +87,84 @@ pub fn points(x: f64, points: &[(f64, f64)]) -> f64 {
         });
     }
     before.map_or(0.0, |(_, degree)| degree)
+}
+
+/// Degree of membership of a bell around `mean`; `deviation > 0`.
+#[inline]
+pub fn gaussian(x: f64, mean: f64, deviation: f64) -> f64 {
+    let distance = (x - mean) / deviation;
+    libm::exp(-0.5 * distance * distance)
+}
+
+/// Degree of membership that is 1 from `low` to `high`, with a bell's flank on either side; `low <= high`.
+#[inline]
+pub fn gaussian2(x: f64, low: f64, below: f64, high: f64, above: f64) -> f64 {
+    if x < low {
+        gaussian(x, low, below)
+    } else if x > high {
+        gaussian(x, high, above)
+    } else {
+        1.0
+    }
+}
+
+/// Degree of membership of the generalized bell, 1/2 at `center ± width`; `width > 0`, `slope > 0`.
+#[inline]
+pub fn bell(x: f64, center: f64, width: f64, slope: f64) -> f64 {
+    1.0 / (1.0 + libm::pow(libm::fabs((x - center) / width), 2.0 * slope))
+}
+
+/// Degree of membership of the logistic curve, 1/2 at `inflection`.
+#[inline]
+pub fn sigmoid(x: f64, inflection: f64, slope: f64) -> f64 {
+    1.0 / (1.0 + libm::exp(-slope * (x - inflection)))
+}
+
+/// Degree of membership that rises from 0 at `a` to 1 at `b` along two parabolas; `a <= b`.
+#[inline]
+pub fn rise(x: f64, a: f64, b: f64) -> f64 {
+    if x >= b {
+        1.0
+    } else if x <= a {
+        0.0
+    } else if x - a < b - x {
+        let share = (x - a) / (b - a);
+        2.0 * share * share
+    } else {
+        let share = (b - x) / (b - a);
+        1.0 - 2.0 * share * share
+    }
+}
+
+/// Degree of membership that falls from 1 at `a` to 0 at `b` along two parabolas; `a <= b`.
+#[inline]
+pub fn fall(x: f64, a: f64, b: f64) -> f64 {
+    rise(-x, -b, -a)
+}
+
+/// Degree of membership that rises from `a` to `b` and falls from `c` to `d`; `a <= b <= c <= d`.
+#[inline]
+pub fn rise_and_fall(x: f64, a: f64, b: f64, c: f64, d: f64) -> f64 {
+    if x < b { rise(x, a, b) } else { fall(x, c, d) }
+}
+
+/// Degree of membership of one wave of a cosine, 0 at `center ± width / 2`; `width > 0`.
+#[inline]
+pub fn cosine(x: f64, center: f64, width: f64) -> f64 {
+    let distance = libm::fabs(x - center) / width;
+    if distance >= 0.5 { 0.0 } else { 0.5 * (1.0 + libm::cos(core::f64::consts::TAU * distance)) }
+}
+
+/// The hedge `very`.
+#[inline]
+pub fn very(degree: f64) -> f64 {
+    degree * degree
+}
+
+/// The hedge `somewhat`.
+#[inline]
+pub fn somewhat(degree: f64) -> f64 {
+    libm::sqrt(degree)
 }
 
 /// The fuzzy AND (LMSL §3.2): the smaller degree.
@@ -182,6 +260,22 @@ mod tests {
         assert_eq!([-1.0, 0.0, 1.0, 2.0].map(|x| triangle(x, 0.0, 0.0, 2.0)), [0.0, 1.0, 0.5, 0.0]);
         assert_eq!([0.9, 1.0, 2.0, 2.1].map(|x| trapezoid(x, 1.0, 1.0, 2.0, 2.0)), [0.0, 1.0, 1.0, 0.0]);
         assert_eq!([0.9, 1.0, 1.1].map(|x| singleton(x, 1.0)), [0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn smooth_shapes_have_their_landmarks() {
+        let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
+        assert!(close(gaussian(3.0, 1.0, 2.0), (-0.5_f64).exp()) && gaussian(1.0, 1.0, 2.0) == 1.0);
+        assert_eq!([0.0, 1.5, 2.0].map(|x| gaussian2(x, 0.0, 1.0, 2.0, 3.0)), [1.0; 3]);
+        assert!(close(gaussian2(-1.0, 0.0, 1.0, 2.0, 3.0), gaussian2(5.0, 0.0, 1.0, 2.0, 3.0)));
+        assert_eq!([-1.0, 1.0, 3.0].map(|x| bell(x, 1.0, 2.0, 3.5)), [0.5, 1.0, 0.5]);
+        assert!(sigmoid(1.0, 1.0, -4.0) == 0.5 && sigmoid(9.0, 1.0, -4.0) < 1e-13 && sigmoid(9.0, 1.0, 4.0) < 1.0);
+        assert_eq!([-1.0, 0.0, 1.0, 2.0, 3.0, 4.0].map(|x| rise(x, 0.0, 4.0)), [0.0, 0.0, 0.125, 0.5, 0.875, 1.0]);
+        assert_eq!([0.0, 1.0, 2.0, 3.0, 4.0].map(|x| fall(x, 0.0, 4.0)), [1.0, 0.875, 0.5, 0.125, 0.0]);
+        assert_eq!([1.0, 2.0].map(|x| (rise(x, 1.0, 1.0), fall(x, 1.0, 1.0))), [(1.0, 1.0), (1.0, 0.0)]);
+        assert_eq!([1.0, 2.5, 5.0].map(|x| rise_and_fall(x, 0.0, 2.0, 3.0, 7.0)), [0.5, 1.0, 0.5]);
+        assert_eq!([0.0, 1.0, 2.0].map(|x| cosine(x, 1.0, 2.0)), [0.0, 1.0, 0.0]);
+        assert!(close(cosine(1.5, 1.0, 2.0), 0.5) && cosine(9.0, 1.0, 2.0) == 0.0);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::base::Exact;
 use crate::diag::{Diagnostic, rules};
-use crate::ir::{Shape, Term, Variable};
+use crate::ir::{Part, Shape, Term, Variable};
 
 pub(super) fn check(variable: &Variable, findings: &mut Vec<Diagnostic>) {
     for term in &variable.terms {
@@ -22,13 +22,28 @@ pub(super) fn check(variable: &Variable, findings: &mut Vec<Diagnostic>) {
 fn descent(shape: &Shape) -> Option<(Exact, Exact)> {
     let corners = match shape {
         Shape::Triangle(corners) => corners.to_vec(),
-        Shape::Trapezoid(corners) => corners.to_vec(),
-        Shape::Rectangle(ends) => ends.to_vec(),
+        Shape::Trapezoid(corners) | Shape::RiseAndFall(corners) => corners.to_vec(),
+        Shape::Rectangle(ends) | Shape::Rise(ends) | Shape::Fall(ends) => ends.to_vec(),
         Shape::Points(points) => points.iter().map(|(at, _)| *at).collect(),
-        Shape::Ramp { .. } | Shape::Singleton(_) => Vec::new(),
+        Shape::Gaussian2([low, _, high, _]) => vec![*low, *high],
+        Shape::Built(parts) => return plain(parts).find_map(descent),
+        Shape::Ramp { .. }
+        | Shape::Singleton(_)
+        | Shape::Gaussian(_)
+        | Shape::Bell(_)
+        | Shape::Sigmoid(_)
+        | Shape::Cosine(_) => Vec::new(),
     };
     corners.windows(2).find_map(|pair| match pair {
         &[before, after] if before > after => Some((before, after)),
+        _ => None,
+    })
+}
+
+/// The shapes that another one is built from.
+fn plain(parts: &[Part]) -> impl Iterator<Item = &Shape> {
+    parts.iter().filter_map(|part| match part {
+        Part::Shape(shape) => Some(shape),
         _ => None,
     })
 }
@@ -37,6 +52,7 @@ fn descent(shape: &Shape) -> Option<(Exact, Exact)> {
 pub(super) fn in_order(shape: &Shape) -> bool {
     match shape {
         Shape::Ramp { zero_at, one_at } => zero_at != one_at,
+        Shape::Built(parts) => plain(parts).all(in_order),
         shape => descent(shape).is_none(),
     }
 }

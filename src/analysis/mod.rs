@@ -2,7 +2,7 @@
 //!
 //! Everything is decided exactly, in rational arithmetic.
 //!
-//! Imports: base, diag, ir
+//! Imports: base, diag, ir, kernel
 //! Crates: batsat, petgraph
 
 mod breakpoints;

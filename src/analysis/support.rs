@@ -1,7 +1,7 @@
 //! The readings at which a membership function is above 0, exactly.
 
 use crate::base::Exact;
-use crate::ir::Shape;
+use crate::ir::{Part, Shape};
 
 /// A cut between readings: just before a number, or just after it. Cuts order as they lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -33,15 +33,40 @@ pub(super) fn support(shape: &Shape, range: (Exact, Exact)) -> Vec<Interval> {
     };
     let intervals = match shape {
         &Shape::Triangle([a, b, c]) => hill(a, b, b, c),
-        &Shape::Trapezoid([a, b, c, d]) => hill(a, b, c, d),
+        &Shape::Trapezoid([a, b, c, d]) | &Shape::RiseAndFall([a, b, c, d]) => hill(a, b, c, d),
         &Shape::Ramp { zero_at, one_at } if zero_at < one_at => vec![(Cut::after(zero_at), high)],
         &Shape::Ramp { zero_at, .. } => vec![(low, Cut::before(zero_at))],
         &Shape::Rectangle([from, to]) => vec![(Cut::before(from), Cut::after(to))],
         &Shape::Singleton(at) => vec![(Cut::before(at), Cut::after(at))],
         Shape::Points(points) => along(points, low, high),
+        Shape::Gaussian(_) | Shape::Gaussian2(_) | Shape::Bell(_) | Shape::Sigmoid(_) => vec![(low, high)],
+        &Shape::Rise([a, b]) => vec![(if a == b { Cut::before(a) } else { Cut::after(a) }, high)],
+        &Shape::Fall([c, d]) => vec![(low, if c == d { Cut::after(d) } else { Cut::before(d) })],
+        &Shape::Cosine([center, width]) => wave(center, width).unwrap_or_else(|| vec![(low, high)]),
+        Shape::Built(parts) => return built(parts, range),
     };
     let clipped = intervals.into_iter().map(|(from, to)| (from.max(low), to.min(high)));
     clipped.filter(|(from, to)| from < to).collect()
+}
+
+/// `None` where a number cannot be kept.
+fn wave(center: Exact, width: Exact) -> Option<Vec<Interval>> {
+    let half = width.over(Exact::new(2, 1, 0))?;
+    Some(vec![(Cut::after(center.minus(half)?), Cut::before(center.plus(half)?))])
+}
+
+/// Where a complement or a minimum takes part, no reading is left out, so that nothing wrong is said of gaps.
+fn built(parts: &[Part], range: (Exact, Exact)) -> Vec<Interval> {
+    let mut intervals: Vec<Vec<Interval>> = Vec::with_capacity(parts.len());
+    for part in parts {
+        intervals.push(match part {
+            Part::Shape(shape) => support(shape, range),
+            Part::Not(_) | Part::All(_) => vec![(Cut::before(range.0), Cut::after(range.1))],
+            Part::Very(of) | Part::Somewhat(of) => intervals[*of as usize].clone(),
+            Part::Any(of) => of.iter().flat_map(|of| intervals[*of as usize].clone()).collect(),
+        });
+    }
+    intervals.pop().unwrap_or_default()
 }
 
 fn along(points: &[(Exact, Exact)], low: Cut, high: Cut) -> Vec<Interval> {

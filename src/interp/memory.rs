@@ -73,6 +73,8 @@ impl Memory {
                     self.reals[to as usize] = degree(self.real(of), shape, &code.points);
                 }
                 Step::Complement { of, to } => self.reals[to as usize] = 1.0 - self.real(of),
+                Step::Very { of, to } => self.reals[to as usize] = kernel::very(self.real(of)),
+                Step::Somewhat { of, to } => self.reals[to as usize] = kernel::somewhat(self.real(of)),
                 Step::Minimum { ref of, to } => {
                     let operands = code.real_lists[range(of)].iter().map(|&real| self.real(real));
                     self.reals[to as usize] = operands.reduce(kernel::minimum).unwrap_or(1.0);
@@ -153,6 +155,14 @@ fn degree(x: f64, shape: &Shape, points: &[(f64, f64)]) -> f64 {
         Shape::Rectangle([low, high]) => kernel::rectangle(x, low, high),
         Shape::Singleton(at) => kernel::singleton(x, at),
         Shape::Points(ref of) => kernel::points(x, &points[range(of)]),
+        Shape::Gaussian([mean, deviation]) => kernel::gaussian(x, mean, deviation),
+        Shape::Gaussian2([low, below, high, above]) => kernel::gaussian2(x, low, below, high, above),
+        Shape::Bell([center, width, slope]) => kernel::bell(x, center, width, slope),
+        Shape::Sigmoid([inflection, slope]) => kernel::sigmoid(x, inflection, slope),
+        Shape::Rise([a, b]) => kernel::rise(x, a, b),
+        Shape::Fall([a, b]) => kernel::fall(x, a, b),
+        Shape::RiseAndFall([a, b, c, d]) => kernel::rise_and_fall(x, a, b, c, d),
+        Shape::Cosine([center, width]) => kernel::cosine(x, center, width),
     }
 }
 

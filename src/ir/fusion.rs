@@ -31,9 +31,9 @@ pub struct Term {
     pub shape_span: Span,
 }
 
-/// A piecewise-linear membership function with exact corners in SI. Equal corners are steps; the degree at a step is
-/// the larger one. Outside its corners a function keeps its outermost degree.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A membership function with exact numbers in SI. Equal corners are steps; the degree at a step is the larger one.
+/// Outside its corners a function keeps its outermost degree.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Shape {
     /// 0 at `a`, 1 at `b`, 0 at `c`.
     Triangle([Exact; 3]),
@@ -52,6 +52,41 @@ pub enum Shape {
     Singleton(Exact),
     /// Linear between the points, in ascending order of readings.
     Points(Vec<(Exact, Exact)>),
+    /// A bell around a mean, with a standard deviation above 0.
+    Gaussian([Exact; 2]),
+    /// 1 between two means, a bell's flank on either side: mean and deviation below, mean and deviation above.
+    Gaussian2([Exact; 4]),
+    /// The generalized bell: its center, its width at degree 1/2 to one side, above 0, and its slope, above 0.
+    Bell([Exact; 3]),
+    /// The logistic curve: where it is 1/2, and its slope there times 4, in 1/SI; it falls where that is below 0.
+    Sigmoid([Exact; 2]),
+    /// Two parabolas from 0 at the first corner to 1 at the second.
+    Rise([Exact; 2]),
+    /// Two parabolas from 1 at the first corner to 0 at the second.
+    Fall([Exact; 2]),
+    /// A rise between the first two corners and a fall between the last two.
+    RiseAndFall([Exact; 4]),
+    /// One wave of a cosine: its center, and its whole width, above 0.
+    Cosine([Exact; 2]),
+    /// Built from other shapes: the last part is what it is.
+    Built(Vec<Part>),
+}
+
+/// A part of a shape, built from earlier ones.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// A shape that is not built itself.
+    Shape(Shape),
+    /// `1 - degree`
+    Not(u32),
+    /// `degree²`
+    Very(u32),
+    /// `√degree`
+    Somewhat(u32),
+    /// The smallest degree.
+    All(Vec<u32>),
+    /// The largest degree.
+    Any(Vec<u32>),
 }
 
 /// One way a sensor can fail.

@@ -11,7 +11,7 @@ mod trial;
 
 pub use diagram::{Argument, Call, Diagram, Flag, Layer, Mode, Platform, Sense, Transition};
 pub use expr::{Comparison, Expr, Op, Type};
-pub use fusion::{Clause, Event, FailReading, Literal, Network, NetworkInput, Rule, Shape, Term, Variable};
+pub use fusion::{Clause, Event, FailReading, Literal, Network, NetworkInput, Part, Rule, Shape, Term, Variable};
 pub use robot::{
     Action, Body, BodyArgument, BodyCommand, BodyCommandKind, DifferentialDrive, Interface, Parameter, Robot, Sensor,
     SensorSource,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::{Bool, Code, Real, Shape, Step, Steps};
-use crate::base::Id;
+use crate::base::{Exact, Id};
 use crate::ir;
 
 /// What a value is computed from; two values computed from the same are one.
@@ -12,8 +12,10 @@ use crate::ir;
 enum Key {
     Read(u32),
     Constant(u64),
-    Degree(Real, Id<ir::Variable>, u32),
+    Degree(Real, ir::Shape),
     Complement(Real),
+    Very(Real),
+    Somewhat(Real),
     Minimum(Vec<Real>),
     Maximum(Vec<Real>),
     Failed(u32),
@@ -153,8 +155,37 @@ impl<'a> Builder<'a> {
     }
 
     pub(super) fn degree(&mut self, of: Real, variable: Id<ir::Variable>, term: u32) -> Real {
-        let shape = &self.program.variables[variable].terms[term as usize].shape;
-        self.real(Key::Degree(of, variable, term), |code, to| Step::Degree { of, shape: lower_shape(shape, code), to })
+        let program = self.program;
+        let shape = &program.variables[variable].terms[term as usize].shape;
+        let ir::Shape::Built(parts) = shape else { return self.shape(of, shape) };
+        let mut degrees: Vec<Real> = Vec::with_capacity(parts.len());
+        for part in parts {
+            let some = |of: &[u32]| of.iter().map(|&of| degrees[of as usize]).collect::<Vec<_>>();
+            let degree = match part {
+                ir::Part::Shape(shape) => self.shape(of, shape),
+                ir::Part::Not(of) => self.complement(degrees[*of as usize]),
+                ir::Part::Very(of) => {
+                    let of = degrees[*of as usize];
+                    self.real(Key::Very(of), |_, to| Step::Very { of, to })
+                }
+                ir::Part::Somewhat(of) => {
+                    let of = degrees[*of as usize];
+                    self.real(Key::Somewhat(of), |_, to| Step::Somewhat { of, to })
+                }
+                ir::Part::All(of) => self.minimum(&some(of)),
+                ir::Part::Any(of) => self.maximum(&some(of)),
+            };
+            degrees.push(degree);
+        }
+        degrees.last().copied().unwrap_or_else(|| self.constant(0.0))
+    }
+
+    fn shape(&mut self, of: Real, shape: &ir::Shape) -> Real {
+        self.real(Key::Degree(of, shape.clone()), |code, to| Step::Degree { of, shape: lower_shape(shape, code), to })
+    }
+
+    fn complement(&mut self, of: Real) -> Real {
+        self.real(Key::Complement(of), |_, to| Step::Complement { of, to })
     }
 
     fn minimum(&mut self, of: &[Real]) -> Real {
@@ -213,11 +244,7 @@ impl<'a> Builder<'a> {
             let (reading, variable) = (readings[clause.input as usize], inputs[clause.input as usize].variable);
             let degrees = clause.any_of.iter().map(|literal| {
                 let degree = self.degree(reading, variable, literal.term);
-                if literal.negated {
-                    self.real(Key::Complement(degree), |_, to| Step::Complement { of: degree, to })
-                } else {
-                    degree
-                }
+                if literal.negated { self.complement(degree) } else { degree }
             });
             let degrees: Vec<_> = degrees.collect();
             self.maximum(&degrees)
@@ -350,15 +377,25 @@ fn list(lists: &mut Vec<u32>, of: &[u32]) -> Range<u32> {
 
 fn lower_shape(shape: &ir::Shape, code: &mut Code) -> Shape {
     match shape {
-        ir::Shape::Triangle(corners) => Shape::Triangle(corners.map(crate::base::Exact::to_f64)),
-        ir::Shape::Trapezoid(corners) => Shape::Trapezoid(corners.map(crate::base::Exact::to_f64)),
+        ir::Shape::Triangle(corners) => Shape::Triangle(corners.map(Exact::to_f64)),
+        ir::Shape::Trapezoid(corners) => Shape::Trapezoid(corners.map(Exact::to_f64)),
         ir::Shape::Ramp { zero_at, one_at } => Shape::Ramp { zero_at: zero_at.to_f64(), one_at: one_at.to_f64() },
-        ir::Shape::Rectangle(ends) => Shape::Rectangle(ends.map(crate::base::Exact::to_f64)),
+        ir::Shape::Rectangle(ends) => Shape::Rectangle(ends.map(Exact::to_f64)),
         ir::Shape::Singleton(at) => Shape::Singleton(at.to_f64()),
         ir::Shape::Points(points) => {
             let start = code.points.len() as u32;
             code.points.extend(points.iter().map(|(at, degree)| (at.to_f64(), degree.to_f64())));
             Shape::Points(start..code.points.len() as u32)
         }
+        ir::Shape::Gaussian(of) => Shape::Gaussian(of.map(Exact::to_f64)),
+        ir::Shape::Gaussian2(of) => Shape::Gaussian2(of.map(Exact::to_f64)),
+        ir::Shape::Bell(of) => Shape::Bell(of.map(Exact::to_f64)),
+        ir::Shape::Sigmoid(of) => Shape::Sigmoid(of.map(Exact::to_f64)),
+        ir::Shape::Rise(of) => Shape::Rise(of.map(Exact::to_f64)),
+        ir::Shape::Fall(of) => Shape::Fall(of.map(Exact::to_f64)),
+        ir::Shape::RiseAndFall(of) => Shape::RiseAndFall(of.map(Exact::to_f64)),
+        ir::Shape::Cosine(of) => Shape::Cosine(of.map(Exact::to_f64)),
+        // Taken apart before; a part of it is never built itself.
+        ir::Shape::Built(_) => Shape::Points(0..0),
     }
 }

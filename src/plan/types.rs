@@ -69,6 +69,20 @@ pub enum Step {
         /// Where it goes.
         to: Real,
     },
+    /// `kernel::very`
+    Very {
+        /// The degree.
+        of: Real,
+        /// Where it goes.
+        to: Real,
+    },
+    /// `kernel::somewhat`
+    Somewhat {
+        /// The degree.
+        of: Real,
+        /// Where it goes.
+        to: Real,
+    },
     /// The smallest of a list of [`Code::real_lists`]; 1 for an empty one.
     Minimum {
         /// The list.
@@ -245,6 +259,22 @@ pub enum Shape {
     Singleton(f64),
     /// `kernel::points` over a span of [`Code::points`]
     Points(Range<u32>),
+    /// `kernel::gaussian`
+    Gaussian([f64; 2]),
+    /// `kernel::gaussian2`
+    Gaussian2([f64; 4]),
+    /// `kernel::bell`
+    Bell([f64; 3]),
+    /// `kernel::sigmoid`
+    Sigmoid([f64; 2]),
+    /// `kernel::rise`
+    Rise([f64; 2]),
+    /// `kernel::fall`
+    Fall([f64; 2]),
+    /// `kernel::rise_and_fall`
+    RiseAndFall([f64; 4]),
+    /// `kernel::cosine`
+    Cosine([f64; 2]),
 }
 
 /// A sensor that is read, or an input of a network evaluated on its own. Numbers are SI.

@@ -3,23 +3,11 @@
 use std::collections::HashMap;
 
 use super::quantities::mismatch;
-use super::{Lower, claim, counted, fail_reading, given, missing_part, not_supported, symbol};
+use super::{Lower, claim, fail_reading, missing_part, not_supported, symbol};
 use crate::base::{Exact, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
 use crate::syntax::ast;
-
-/// The shapes that are lines between corners: name, number of parameters, their names.
-const SHAPES: &[(&str, usize, &str)] = &[
-    ("triangle", 3, "(a, b, c)"),
-    ("trapezoid", 4, "(a, b, c, d)"),
-    ("ramp", 2, "(zero_at, one_at)"),
-    ("rectangle", 2, "(a, b)"),
-    ("singleton", 1, "(x)"),
-];
-
-/// Shapes that are curves; they are read but not evaluated yet.
-const CURVES: &[&str] = &["gaussian", "gaussian2", "bell", "sigmoid", "s_shape", "z_shape", "pi_shape", "cosine"];
 
 impl Lower<'_> {
     pub(super) fn variable(&mut self, tree: &ast::Variable) {
@@ -33,17 +21,7 @@ impl Lower<'_> {
         };
         let Some(range) = range else { return };
         let fails = self.fail_readings(&tree.fails, &unit, range);
-        let mut seen = HashMap::new();
-        let mut terms = Vec::new();
-        for term in &tree.terms {
-            if !claim(&mut seen, &term.name, "term", &mut self.diagnostics) {
-                continue;
-            }
-            // A term whose shape is broken keeps its place, so that rules that name it are not reported too.
-            let shape = self.shape(&term.shape, &unit).unwrap_or(ir::Shape::Rectangle([range.0, range.1]));
-            let symbol = symbol(&term.name, term.doc.as_ref());
-            terms.push(ir::Term { symbol, shape, shape_span: term.shape.span });
-        }
+        let terms = self.declared_terms(&tree.terms, &unit, range);
         let incomplete = self.unparsed.touches(tree.span);
         if tree.terms.is_empty() && !incomplete {
             let diagnostic = missing_part(tree.name.span, format!("variable `{}` has no term", tree.name.text));
@@ -52,67 +30,6 @@ impl Lower<'_> {
         let symbol = symbol(&tree.name, tree.doc.as_ref());
         let id = self.program.variables.add(ir::Variable { symbol, unit, range, fails, terms, incomplete });
         self.scopes.variables.insert(tree.name.span, id);
-    }
-
-    fn shape(&mut self, shape: &ast::Shape, unit: &Unit) -> Option<ir::Shape> {
-        match &shape.kind {
-            ast::ShapeKind::Function { function, parameters } => self.function(function, parameters, unit),
-            ast::ShapeKind::Points(points) => {
-                let mut corners = Vec::new();
-                for (at, degree) in points {
-                    let at = self.quantity_in(at, unit);
-                    let degree_value = self.quantity_in(degree, &Unit::one());
-                    let (at, degree_value) = (at?, degree_value?);
-                    if degree_value < Exact::ZERO || degree_value > Exact::ONE {
-                        self.report(super::invalid(degree.span, "a degree of membership is between 0 and 1"));
-                        return None;
-                    }
-                    corners.push((at, degree_value));
-                }
-                if corners.is_empty() {
-                    self.report(missing_part(shape.span, "a shape needs at least one point"));
-                    return None;
-                }
-                Some(ir::Shape::Points(corners))
-            }
-            ast::ShapeKind::Term(_)
-            | ast::ShapeKind::Not(_)
-            | ast::ShapeKind::Hedge(..)
-            | ast::ShapeKind::And(_)
-            | ast::ShapeKind::Or(_) => {
-                self.report(not_supported(shape.span, "a term built from others"));
-                None
-            }
-        }
-    }
-
-    fn function(&mut self, function: &ast::Name, parameters: &[ast::Quantity], unit: &Unit) -> Option<ir::Shape> {
-        let name = function.text.as_str();
-        if CURVES.contains(&name) {
-            self.report(not_supported(function.span, &format!("the shape `{name}`")));
-            return None;
-        }
-        let Some(&(_, count, form)) = SHAPES.iter().find(|(known, ..)| *known == name) else {
-            let known = SHAPES.iter().map(|(known, ..)| *known).chain(CURVES.iter().copied()).chain(["points"]);
-            self.report(self.unknown(function, "shape", known));
-            return None;
-        };
-        if parameters.len() != count {
-            let message = format!("`{name}` takes {}, {}", counted(count, "parameter"), given(parameters.len()));
-            let diagnostic = Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, function.span, message);
-            self.report(diagnostic.help(format!("write `{name}{form}`")));
-            return None;
-        }
-        let corners: Vec<_> = parameters.iter().map(|parameter| self.quantity_in(parameter, unit)).collect();
-        let corners: Vec<Exact> = corners.into_iter().collect::<Option<_>>()?;
-        match (name, corners.as_slice()) {
-            ("triangle", &[a, b, c]) => Some(ir::Shape::Triangle([a, b, c])),
-            ("trapezoid", &[a, b, c, d]) => Some(ir::Shape::Trapezoid([a, b, c, d])),
-            ("ramp", &[zero_at, one_at]) => Some(ir::Shape::Ramp { zero_at, one_at }),
-            ("rectangle", &[low, high]) => Some(ir::Shape::Rectangle([low, high])),
-            ("singleton", &[at]) => Some(ir::Shape::Singleton(at)),
-            _ => None,
-        }
     }
 
     /// The ways to fail of a sensor or variable, each within its range.

@@ -13,6 +13,7 @@ mod robots;
 mod rules;
 mod scenarios;
 mod scope;
+mod shapes;
 mod unparsed;
 mod worlds;
 

@@ -23,10 +23,10 @@ fn force_stuck_at_zero() -> Vec<Fault> {
 fn a_heavy_obstacle_is_a_matter_of_force_alone() {
     let model = obstacle_id();
     assert_eq!(model.needless_inputs(HEAVY_OBSTACLE, &Vec::new()), [0, 1]);
-    assert_eq!(model.dependence(HEAVY_OBSTACLE, 0, &Vec::new()), None);
-    assert!(model.dependence(HEAVY_OBSTACLE, FORCE, &Vec::new()).is_some());
+    assert_eq!(model.dependence(HEAVY_OBSTACLE, 0, &Vec::new()), Verdict::Never);
+    assert!(model.dependence(HEAVY_OBSTACLE, FORCE, &Vec::new()).witness().is_some());
     assert!(model.needless_inputs(FORWARD_COLLISION, &Vec::new()).is_empty());
-    assert!(model.dependence(FORWARD_COLLISION, 0, &Vec::new()).is_some());
+    assert!(model.dependence(FORWARD_COLLISION, 0, &Vec::new()).witness().is_some());
 }
 
 #[test]

@@ -62,7 +62,7 @@ fn valuations(program: &Program, diagram: &Diagram, question: &Question) -> Opti
     let found = network::valuations(program, &events, &question.feeds, MOST_VALUATIONS)?;
     let valuation = |valuation: network::Valuation| Valuation {
         set: valuation.set.iter().zip(0..).map(|(set, event)| u64::from(*set) << event).sum(),
-        readings: readings(&question.feeds, &valuation.witness),
+        readings: valuation.witness.and_then(|witness| readings(&question.feeds, &witness)),
     };
     Some(found.into_iter().map(valuation).collect())
 }

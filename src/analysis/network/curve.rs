@@ -1,14 +1,12 @@
-//! The piecewise-linear form of a membership function, with its one-sided limits.
+//! Piecewise-linear functions from readings to degrees, with their one-sided limits.
 
-use crate::base::{Exact, Fraction};
-use crate::ir::Shape;
+use crate::base::Fraction;
 
-/// A membership function as corners in ascending order, linear in between and constant outside. Corners at one
-/// reading are a step, at which the largest degree counts.
-#[derive(Debug, Clone)]
+/// Linear between its knots, and constant outside.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Curve {
-    corners: Vec<(Fraction, Fraction)>,
-    negated: bool,
+    /// In ascending order of readings.
+    knots: Vec<(Fraction, Limits)>,
 }
 
 /// The degrees just before a reading, at it, and just after it.
@@ -19,62 +17,122 @@ pub(super) struct Limits {
     pub(super) after: Fraction,
 }
 
+impl Limits {
+    pub(super) fn flat(degree: &Fraction) -> Self {
+        Self { before: degree.clone(), at: degree.clone(), after: degree.clone() }
+    }
+
+    fn map(&self, map: impl Fn(&Fraction) -> Fraction) -> Self {
+        Self { before: map(&self.before), at: map(&self.at), after: map(&self.after) }
+    }
+}
+
 impl Curve {
-    /// The curve of a shape whose corners ascend, or of its complement, with readings in units of `π^pi`.
-    pub(super) fn new(shape: &Shape, negated: bool, pi: i8) -> Self {
-        let corner = |at: Exact, degree: i128| (at.to_fraction(pi), Fraction::from(degree));
-        let corners = match *shape {
-            Shape::Triangle([a, b, c]) => vec![corner(a, 0), corner(b, 1), corner(c, 0)],
-            Shape::Trapezoid([a, b, c, d]) => vec![corner(a, 0), corner(b, 1), corner(c, 1), corner(d, 0)],
-            Shape::Ramp { zero_at, one_at } if zero_at < one_at => vec![corner(zero_at, 0), corner(one_at, 1)],
-            Shape::Ramp { zero_at, one_at } => vec![corner(one_at, 1), corner(zero_at, 0)],
-            Shape::Rectangle([a, b]) => vec![corner(a, 0), corner(a, 1), corner(b, 1), corner(b, 0)],
-            Shape::Singleton(at) => vec![corner(at, 0), corner(at, 1), corner(at, 0)],
-            Shape::Points(ref points) => {
-                points.iter().map(|(at, degree)| (at.to_fraction(pi), degree.to_fraction(0))).collect()
+    pub(super) fn of_knots(knots: Vec<(Fraction, Limits)>) -> Self {
+        Self { knots }
+    }
+
+    /// The curve through corners in ascending order of readings. Corners at one reading are a step, at which the largest
+    /// degree counts.
+    pub(super) fn through(corners: impl IntoIterator<Item = (Fraction, Fraction)>) -> Self {
+        let mut knots: Vec<(Fraction, Limits)> = Vec::new();
+        for (at, degree) in corners {
+            match knots.last_mut() {
+                Some((known, limits)) if *known == at => {
+                    limits.at = limits.at.clone().max(degree.clone());
+                    limits.after = degree;
+                }
+                _ => knots.push((at, Limits::flat(&degree))),
             }
-        };
-        Self { corners, negated }
+        }
+        Self { knots }
     }
 
     /// The readings at which it may bend or step.
     pub(super) fn bends(&self) -> impl Iterator<Item = &Fraction> {
-        self.corners.iter().map(|(at, _)| at)
+        self.knots.iter().map(|(at, _)| at)
     }
 
     /// Its degrees around a reading.
     pub(super) fn around(&self, reading: &Fraction) -> Limits {
-        let Limits { before, at, after } = self.plain(reading);
-        if self.negated {
-            let complement = |degree| &Fraction::ONE - &degree;
-            Limits { before: complement(before), at: complement(at), after: complement(after) }
-        } else {
-            Limits { before, at, after }
-        }
-    }
-
-    /// Its degree without a reading: no reading belongs to any set, so a complement holds.
-    pub(super) fn without_reading(&self) -> Fraction {
-        if self.negated { Fraction::ONE } else { Fraction::ZERO }
-    }
-
-    fn plain(&self, reading: &Fraction) -> Limits {
-        let start = self.corners.partition_point(|(at, _)| at < reading);
-        let end = self.corners.partition_point(|(at, _)| at <= reading);
-        let (below, here, above) = (&self.corners[..start], &self.corners[start..end], &self.corners[end..]);
-        if let (Some((_, before)), Some((_, after))) = (here.first(), here.last()) {
-            let at = here.iter().map(|(_, degree)| degree).max().unwrap_or(before).clone();
-            return Limits { before: before.clone(), at, after: after.clone() };
-        }
-        let degree = match (below.last(), above.first()) {
+        let after = match self.knots.binary_search_by(|(at, _)| at.cmp(reading)) {
+            Ok(here) => return self.knots[here].1.clone(),
+            Err(after) => after,
+        };
+        Limits::flat(&match (after.checked_sub(1).and_then(|before| self.knots.get(before)), self.knots.get(after)) {
             (Some((from, start)), Some((to, end))) => {
                 let share = (reading - from).over(&(to - from)).unwrap_or(Fraction::ZERO);
-                start + &(&(end - start) * &share)
+                &start.after + &(&(&end.before - &start.after) * &share)
             }
-            (Some((_, degree)), None) | (None, Some((_, degree))) => degree.clone(),
+            (Some((_, limits)), None) => limits.after.clone(),
+            (None, Some((_, limits))) => limits.before.clone(),
             (None, None) => Fraction::ZERO,
-        };
-        Limits { before: degree.clone(), at: degree.clone(), after: degree }
+        })
+    }
+
+    /// One minus it.
+    pub(super) fn complement(&self) -> Self {
+        let complement = |limits: &Limits| limits.map(|degree| &Fraction::ONE - degree);
+        Self { knots: self.knots.iter().map(|(at, limits)| (at.clone(), complement(limits))).collect() }
+    }
+
+    /// The larger of two curves at every reading, or the smaller.
+    pub(super) fn merged(&self, other: &Self, pick: fn(Fraction, Fraction) -> Fraction) -> Self {
+        let mut places: Vec<&Fraction> = self.bends().chain(other.bends()).collect();
+        places.sort_unstable();
+        places.dedup();
+        let mut knots: Vec<(Fraction, Limits)> = Vec::with_capacity(2 * places.len());
+        let mut earlier: Option<(&Fraction, Limits, Limits)> = None;
+        for place in places {
+            let (one, two) = (self.around(place), other.around(place));
+            if let Some((from, before_one, before_two)) = &earlier {
+                let (start, end) = (&before_one.after - &before_two.after, &two.before - &one.before);
+                // They cross in between where the difference has opposite signs at the ends.
+                if !start.is_zero() && !end.is_zero() && start.is_negative() == end.is_negative() {
+                    let share = start.over(&(&start + &end)).unwrap_or(Fraction::ZERO);
+                    let at = *from + &(&(place - *from) * &share);
+                    let degree = &before_one.after + &(&(&one.before - &before_one.after) * &share);
+                    knots.push((at, Limits::flat(&degree)));
+                }
+            }
+            let limits = Limits {
+                before: pick(one.before.clone(), two.before.clone()),
+                at: pick(one.at.clone(), two.at.clone()),
+                after: pick(one.after.clone(), two.after.clone()),
+            };
+            knots.push((place.clone(), limits));
+            earlier = Some((place, one, two));
+        }
+        Self { knots }
+    }
+
+    /// Steps that bound a rising function of the degree on one side. `bound` bounds the function's value from that side,
+    /// `pick` takes the bound of two, and between `cuts`, which are degrees in ascending order, the bound is constant.
+    pub(super) fn stepped(
+        &self,
+        cuts: &[Fraction],
+        pick: fn(Fraction, Fraction) -> Fraction,
+        bound: impl Fn(&Fraction) -> Fraction,
+    ) -> Self {
+        let mut knots: Vec<(Fraction, Limits)> = Vec::new();
+        let mut before = self.knots.first().map_or(Fraction::ZERO, |(_, limits)| bound(&limits.before));
+        for (index, (from, limits)) in self.knots.iter().enumerate() {
+            let (to, end) = self.knots.get(index + 1).map_or((from, &limits.after), |(to, next)| (to, &next.before));
+            let start = &limits.after;
+            let mut inside: Vec<_> = cuts.iter().filter(|cut| start.min(end) < *cut && *cut < start.max(end)).collect();
+            if end < start {
+                inside.reverse();
+            }
+            let ends: Vec<_> = std::iter::once(start).chain(inside).chain([end]).collect();
+            for pair in ends.windows(2) {
+                let share = (pair[0] - start).over(&(end - start)).unwrap_or(Fraction::ZERO);
+                let after = pick(bound(pair[0]), bound(pair[1]));
+                let at = if pair[0] == start { bound(&limits.at) } else { pick(before.clone(), after.clone()) };
+                knots.push((from + &(&(to - from) * &share), Limits { before, at, after: after.clone() }));
+                before = after;
+            }
+        }
+        Self { knots }
     }
 }
 
@@ -82,19 +140,47 @@ impl Curve {
 mod tests {
     use super::*;
 
-    fn around(shape: &Shape, negated: bool, reading: i128) -> [f64; 3] {
-        let limits = Curve::new(shape, negated, 0).around(&Fraction::from(reading));
+    fn curve(corners: &[(i128, i128, i128)]) -> Curve {
+        Curve::through(corners.iter().map(|&(at, degree, of)| (Fraction::from(at), Fraction::new(degree, of))))
+    }
+
+    fn around(curve: &Curve, reading: &Fraction) -> [f64; 3] {
+        let limits = curve.around(reading);
         [limits.before.to_f64(), limits.at.to_f64(), limits.after.to_f64()]
     }
 
     #[test]
     fn steps_have_limits_and_the_larger_degree() {
-        let number = |value| Exact::new(value, 1, 0);
-        let step = Shape::Triangle([number(0), number(0), number(4)]);
-        assert_eq!([-1, 0, 1].map(|at| around(&step, false, at)), [[0.0; 3], [0.0, 1.0, 1.0], [0.75; 3]]);
-        assert_eq!(around(&step, true, 0), [1.0, 0.0, 0.0]);
-        assert_eq!(around(&Shape::Singleton(number(2)), false, 2), [0.0, 1.0, 0.0]);
-        let ramp = Shape::Ramp { zero_at: number(4), one_at: number(0) };
-        assert_eq!([-1, 1, 5].map(|at| around(&ramp, false, at)[1]), [1.0, 0.75, 0.0]);
+        let step = curve(&[(0, 0, 1), (0, 1, 1), (4, 0, 1)]);
+        assert_eq!([-1, 0, 1].map(|at| around(&step, &Fraction::from(at))), [[0.0; 3], [0.0, 1.0, 1.0], [0.75; 3]]);
+        assert_eq!(around(&step.complement(), &Fraction::ZERO), [1.0, 0.0, 0.0]);
+        let single = curve(&[(2, 0, 1), (2, 1, 1), (2, 0, 1)]);
+        assert_eq!(around(&single, &Fraction::from(2)), [0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn the_larger_of_two_bends_where_they_cross() {
+        let (down, up) = (curve(&[(0, 1, 1), (4, 0, 1)]), curve(&[(0, 0, 1), (4, 1, 1)]));
+        let (larger, smaller) = (down.merged(&up, Ord::max), down.merged(&up, Ord::min));
+        assert_eq!([0, 1, 2, 3].map(|at| around(&larger, &Fraction::from(at))[1]), [1.0, 0.75, 0.5, 0.75]);
+        assert_eq!([0, 1, 2, 3].map(|at| around(&smaller, &Fraction::from(at))[1]), [0.0, 0.25, 0.5, 0.25]);
+        assert_eq!(larger, smaller.complement());
+    }
+
+    #[test]
+    fn steps_bound_a_function_of_the_degree() {
+        let hill = curve(&[(0, 0, 1), (4, 1, 1), (4, 1, 2), (8, 0, 1)]);
+        let cuts: Vec<_> = (1..8).map(|cut| Fraction::new(cut, 8)).collect();
+        let square = |degree: &Fraction| degree * degree;
+        let (low, high) = (hill.stepped(&cuts, Ord::min, square), hill.stepped(&cuts, Ord::max, square));
+        for eighth in -8..72 {
+            let reading = Fraction::new(eighth, 8);
+            let [low, here, high] = [&low, &hill, &high].map(|curve| around(curve, &reading));
+            for (side, degree) in here.iter().enumerate() {
+                let square = degree * degree;
+                assert!(low[side] <= square && square <= high[side], "{eighth} {side}");
+                assert!(high[side] - low[side] < 0.5, "{eighth} {side}");
+            }
+        }
     }
 }

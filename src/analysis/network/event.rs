@@ -11,19 +11,21 @@ pub enum Verdict {
     Possible(Witness),
     /// It does at no readings.
     Never,
+    /// Smooth membership functions are only known within bounds, which are too wide to say.
+    Unknown,
 }
 
 impl Verdict {
-    /// Whether it can happen.
+    /// Whether it is not proved that it never happens.
     pub fn is_possible(&self) -> bool {
-        matches!(self, Self::Possible(_))
+        *self != Self::Never
     }
 
     /// The readings at which it does.
     pub fn witness(&self) -> Option<&Witness> {
         match self {
             Self::Possible(witness) => Some(witness),
-            Self::Never => None,
+            Self::Never | Self::Unknown => None,
         }
     }
 }
@@ -57,7 +59,43 @@ pub struct RuleFacts {
     pub decisive: Verdict,
 }
 
+impl Verdict {
+    /// What is known for sure: `possible` is right where it finds readings, `never` where it finds none.
+    fn between(possible: Self, never: &Self) -> Self {
+        match (possible, never) {
+            (possible @ Self::Possible(_), _) => possible,
+            (_, Self::Never) => Self::Never,
+            _ => Self::Unknown,
+        }
+    }
+}
+
 impl EventFacts {
+    /// What is known for sure, from what holds with every contributor rule as weak and every detractor rule as strong as
+    /// can be, and what holds the other way round.
+    pub(super) fn between(sure: Self, loose: &Self) -> Self {
+        let rules = |sure: Vec<RuleFacts>, loose: &[RuleFacts], speaks_for: bool| -> Vec<RuleFacts> {
+            let rule = |(sure, loose): (RuleFacts, &RuleFacts)| RuleFacts {
+                fires: if speaks_for {
+                    Verdict::between(sure.fires, &loose.fires)
+                } else {
+                    Verdict::between(loose.fires.clone(), &sure.fires)
+                },
+                strongest: Verdict::Unknown,
+                decisive: Verdict::Unknown,
+            };
+            sure.into_iter().zip(loose).map(rule).collect()
+        };
+        Self {
+            set: Verdict::between(sure.set, &loose.set),
+            clear: Verdict::between(loose.clear.clone(), &sure.clear),
+            tie: Verdict::Unknown,
+            dead: Verdict::Unknown,
+            contributor: rules(sure.contributor, &loose.contributor, true),
+            detractor: rules(sure.detractor, &loose.detractor, false),
+        }
+    }
+
     pub(super) fn new(readings: &mut Readings<'_>, states: &[usize], method: Method) -> Self {
         let event = readings.event;
         let levels = event.levels(states);

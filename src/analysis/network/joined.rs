@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::Valuation;
-use super::curve::Curve;
+use super::columns::Columns;
 use super::joint;
-use super::model::{EventModel, Input, Model};
+use super::model::{Input, Model, Rules};
 use super::sensor::Sensor;
 use crate::analysis::breakpoints::in_order;
 use crate::analysis::support::Interval;
@@ -72,11 +72,10 @@ impl Model {
                 (input, any_of.iter().filter_map(|literal| known.binary_search(literal).ok()).collect())
             };
             let rules = rules.into_iter().map(|rule| rule.into_iter().map(place).collect()).collect();
-            let contributors = fed.network.events[fed.event as usize].contributor.len();
-            EventModel::of_clauses(rules, contributors, &inputs)
+            Rules { rules, contributors: fed.network.events[fed.event as usize].contributor.len() }
         });
-        let events = events.collect();
-        Some(Self::of_events(inputs, events))
+        let events: Vec<_> = events.collect();
+        Some(Self::of_rules(inputs, &events))
     }
 }
 
@@ -88,16 +87,18 @@ impl Input {
     ) -> Option<Self> {
         let (low, high) = program.sensors[*sensor].range;
         let pi = if low.is_zero() { high.pi_power() } else { low.pi_power() };
-        let curve = |(variable, literal): &Named| {
-            let shape = &program.variables[*variable].terms.get(literal.term as usize)?.shape;
-            in_order(shape).then(|| Curve::new(shape, literal.negated, pi))
+        let literal = |&(variable, literal): &Named| (&program.variables[variable], literal);
+        let is_sound = |(variable, literal): (&ir::Variable, Literal)| {
+            variable.terms.get(literal.term as usize).is_some_and(|term| in_order(&term.shape))
         };
-        let curves: Vec<_> = named.iter().map(curve).collect::<Option<_>>()?;
+        if !named.iter().map(literal).all(is_sound) {
+            return None;
+        }
+        let columns = Columns::new(named.iter().map(literal), pi)?;
         let sensor = match readings {
-            Some(interval) => Sensor::between(&curves, interval, pi)?,
-            None => Sensor::absent(&curves),
+            Some(interval) => Sensor::between(&columns, interval, pi)?,
+            None => Sensor::absent(&columns),
         };
-        let literals = named.iter().map(|(_, literal)| *literal).collect();
-        Some(Self { pi, literals, fails: Vec::new(), sensors: vec![sensor] })
+        Some(Self { pi, columns, fails: Vec::new(), sensors: vec![sensor] })
     }
 }

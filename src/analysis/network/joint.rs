@@ -20,8 +20,8 @@ use crate::base::Fraction;
 pub struct Valuation {
     /// Whether each event is set, in order.
     pub set: Vec<bool>,
-    /// Readings at which it is so.
-    pub witness: Witness,
+    /// Readings at which it is so; none where smooth terms leave it open whether there are any.
+    pub witness: Option<Witness>,
 }
 
 /// The valuations that are possible in some states of the inputs, sorted. What is known of each event alone is a start.
@@ -39,7 +39,9 @@ pub(super) fn valuations<'a>(
         }
         for witness in [&facts.set, &facts.clear, &facts.tie, &facts.dead].into_iter().filter_map(Verdict::witness) {
             let witness = model.complete_in(states, witness);
-            known.found(model.flags(states, &witness), witness);
+            if let Some(flags) = model.flags(states, &witness) {
+                known.found(flags, Some(witness));
+            }
         }
     }
     known.all(model, states, usize::MAX).unwrap_or_default()
@@ -68,7 +70,7 @@ impl Known {
         Self { solver, set, valuations: Vec::new() }
     }
 
-    fn found(&mut self, set: Vec<bool>, witness: Witness) {
+    fn found(&mut self, set: Vec<bool>, witness: Option<Witness>) {
         if self.valuations.iter().all(|known| known.set != set) {
             let other = self.set.iter().zip(&set).map(|(&status, &set)| if set { !status } else { status });
             let other: Vec<_> = other.collect();
@@ -101,75 +103,60 @@ impl<'a> Search<'a> {
     fn new(model: &'a Model, states: &'a [usize], mut known: Known) -> Self {
         let bounds = Bounds::new(model, states, &mut known.solver);
         let mut search = Self { model, states, known, bounds };
-        for (position, event) in model.events.iter().enumerate() {
-            search.demand_event(position, event);
+        for position in 0..model.events.len() {
+            search.demand_event(position, model.loose(position), true);
+            search.demand_event(position, &model.events[position], false);
         }
         search
     }
 
     /// Some contributor rule is high and every detractor rule low while the event is set; the other way round while it
     /// is clear.
-    fn demand_event(&mut self, position: usize, event: &EventModel) {
+    fn demand_event(&mut self, position: usize, event: &EventModel, is_set: bool) {
         let clauses = event.clauses();
         let (contributors, detractors) = clauses.split_at(event.contributors);
-        for (is_set, high, low) in [(true, contributors, detractors), (false, detractors, contributors)] {
-            let status = if is_set { self.known.set[position] } else { !self.known.set[position] };
-            let mut some_high = vec![!status];
-            if !is_set {
-                // A level of 0 is reached by an empty side too.
-                some_high.push(self.bounds.constant(
-                    &mut self.known.solver,
-                    position,
-                    Side::Above,
-                    is_set,
-                    Fraction::ZERO,
-                ));
+        let (high, low) = if is_set { (contributors, detractors) } else { (detractors, contributors) };
+        let Known { solver, set, .. } = &mut self.known;
+        let bounds = &mut self.bounds;
+        let status = if is_set { set[position] } else { !set[position] };
+        let mut some_high = vec![!status];
+        if !is_set {
+            // A level of 0 is reached by an empty side too.
+            some_high.push(bounds.constant(solver, position, Side::Above, is_set, Fraction::ZERO));
+        }
+        for rule in high {
+            let all = solver.proposition();
+            for (input, literals) in rule {
+                let literals = literals.iter().map(|&literal| (*input, literal));
+                let any = literals.map(|literal| bounds.literal(solver, position, Side::Above, is_set, literal));
+                let any: Vec<_> = any.chain([!all]).collect();
+                solver.demand(any);
             }
-            for rule in high {
-                let all = self.known.solver.proposition();
-                for (input, literals) in rule {
-                    let any = literals.iter().map(|&literal| {
-                        self.bounds.literal(&mut self.known.solver, position, Side::Above, is_set, (*input, literal))
-                    });
-                    let any: Vec<_> = any.chain([!all]).collect();
-                    self.known.solver.demand(any);
-                }
-                if rule.is_empty() {
-                    let one =
-                        self.bounds.constant(&mut self.known.solver, position, Side::Above, is_set, Fraction::ONE);
-                    self.known.solver.demand([!all, one]);
-                }
-                some_high.push(all);
+            if rule.is_empty() {
+                let one = bounds.constant(solver, position, Side::Above, is_set, Fraction::ONE);
+                solver.demand([!all, one]);
             }
-            self.known.solver.demand(some_high);
-            for rule in low {
-                let mut some_low = vec![!status];
-                for (input, literals) in rule {
-                    let all = self.known.solver.proposition();
-                    for &literal in *literals {
-                        let below = self.bounds.literal(
-                            &mut self.known.solver,
-                            position,
-                            Side::Below,
-                            is_set,
-                            (*input, literal),
-                        );
-                        self.known.solver.demand([!all, below]);
-                    }
-                    if literals.is_empty() {
-                        let zero =
-                            self.bounds.constant(&mut self.known.solver, position, Side::Below, is_set, Fraction::ZERO);
-                        self.known.solver.demand([!all, zero]);
-                    }
-                    some_low.push(all);
+            some_high.push(all);
+        }
+        solver.demand(some_high);
+        for rule in low {
+            let mut some_low = vec![!status];
+            for (input, literals) in rule {
+                let all = solver.proposition();
+                for &literal in *literals {
+                    let below = bounds.literal(solver, position, Side::Below, is_set, (*input, literal));
+                    solver.demand([!all, below]);
                 }
-                if rule.is_empty() {
-                    let one =
-                        self.bounds.constant(&mut self.known.solver, position, Side::Below, is_set, Fraction::ONE);
-                    some_low.push(one);
+                if literals.is_empty() {
+                    let zero = bounds.constant(solver, position, Side::Below, is_set, Fraction::ZERO);
+                    solver.demand([!all, zero]);
                 }
-                self.known.solver.demand(some_low);
+                some_low.push(all);
             }
+            if rule.is_empty() {
+                some_low.push(bounds.constant(solver, position, Side::Below, is_set, Fraction::ONE));
+            }
+            solver.demand(some_low);
         }
     }
 
@@ -180,7 +167,8 @@ impl<'a> Search<'a> {
             match linear::solve(self.bounds.unknowns(), inequalities) {
                 Ok(values) => {
                     let witness = self.witness(&values);
-                    self.known.found(set, witness);
+                    let is_sure = self.model.flags(self.states, &witness).as_ref() == Some(&set);
+                    self.known.found(set, is_sure.then_some(witness));
                 }
                 Err(because) => {
                     let mut clause: Vec<_> = because.iter().flat_map(|&reason| &reasons[reason]).map(|&p| !p).collect();

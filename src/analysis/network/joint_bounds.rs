@@ -45,9 +45,9 @@ impl Bounds {
         });
         let cells = cells.collect();
         let degrees = sensors.iter().map(|sensor| sensor.cells.iter().map(|cell| cell.degrees.clone()).collect());
-        let levels = model.events.iter().map(|event| {
+        let levels = model.events.iter().enumerate().map(|(position, event)| {
             let mut heights = vec![Fraction::ZERO, Fraction::ONE];
-            for named in &event.uses {
+            for named in event.uses.iter().chain(&model.loose(position).uses) {
                 let literals: Vec<_> = named.choices.iter().flat_map(|choice| &choice.literals).collect();
                 for cell in &sensors[named.input].cells {
                     let ends = literals.iter().map(|&&literal| &cell.degrees[literal]);

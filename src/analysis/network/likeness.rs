@@ -1,9 +1,9 @@
 //! What an event does not need of what it names, decided by comparing it with another event like it.
 
+use super::event::Verdict;
 use super::faults::FaultSet;
 use super::joint::Valuation;
-use super::model::{Clause, EventModel, Model};
-use super::witness::Witness;
+use super::model::{Clause, EventModel, Input, Model};
 
 /// What can be said of two events, by their positions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,16 +37,15 @@ pub fn relations(valuations: &[Valuation]) -> Vec<Relation> {
 }
 
 impl Model {
-    /// Readings at which an event is set or not depending on one input alone, or `None`: then the event does not depend
-    /// on the input, although its rules may name it. The witness ends with the input's other reading.
-    pub fn dependence(&self, event: usize, input: usize, faults: &FaultSet) -> Option<Witness> {
-        let (event, original) = (self.events.get(event)?, self.inputs.get(input)?);
+    /// Whether an event depends on one input: whether it can be set or not by that input alone. `Never` where it does
+    /// not, although its rules may name it; a witness ends with the input's other reading.
+    pub fn dependence(&self, event: usize, input: usize, faults: &FaultSet) -> Verdict {
+        let Some(original) = self.inputs.get(input) else { return Verdict::Never };
         let mut inputs = self.inputs.clone();
         inputs.push(original.clone());
         let other = self.inputs.len();
         let renamed = |clause: Clause| (if clause.0 == input { other } else { clause.0 }, clause.1);
-        let twin = EventModel::of_clauses(mapped(event, |clause| Some(renamed(clause))), event.contributors, &inputs);
-        let pair = Self::of_events(inputs, vec![event.clone(), twin]);
+        let Some(pair) = self.beside(event, inputs, |clause| Some(renamed(clause))) else { return Verdict::Never };
         let mut twin_faults = faults.clone();
         let same = faults.iter().filter(|fault| fault.input == input);
         twin_faults.extend(same.map(|fault| super::Fault { input: other, ..*fault }).collect::<Vec<_>>());
@@ -56,13 +55,12 @@ impl Model {
     /// The inputs that can be left out of an event's rules without changing it, together: the event equals the one whose
     /// rules do not name them. As many as can be, the last ones first.
     pub fn needless_inputs(&self, event: usize, faults: &FaultSet) -> Vec<usize> {
-        let Some(event) = self.events.get(event) else { return Vec::new() };
         let mut needless: Vec<usize> = Vec::new();
-        for candidate in event.uses.iter().rev().map(|named| named.input) {
+        let uses = self.events.get(event).into_iter().flat_map(|event| event.uses.iter().rev());
+        for candidate in uses.map(|named| named.input) {
             let left_out = |clause: Clause| (clause.0 != candidate && !needless.contains(&clause.0)).then_some(clause);
-            let smaller = EventModel::of_clauses(mapped(event, left_out), event.contributors, &self.inputs);
-            let pair = Self::of_events(self.inputs.clone(), vec![event.clone(), smaller]);
-            if pair.differing(faults).is_none() {
+            let pair = self.beside(event, self.inputs.clone(), left_out);
+            if pair.is_some_and(|pair| pair.differing(faults) == Verdict::Never) {
                 needless.push(candidate);
             }
         }
@@ -70,11 +68,22 @@ impl Model {
         needless
     }
 
-    /// Readings at which the model's two events differ.
-    fn differing(&self, faults: &FaultSet) -> Option<Witness> {
-        let facts = self.facts_under(faults);
-        let valuations = self.valuations(&facts).into_iter();
-        valuations.filter(|valuation| valuation.set.first() != valuation.set.last()).map(|found| found.witness).next()
+    /// An event beside the one whose clauses are mapped.
+    fn beside(&self, event: usize, inputs: Vec<Input>, map: impl Fn(Clause) -> Option<Clause>) -> Option<Self> {
+        let pair = |event: &EventModel| {
+            let other = EventModel::of_clauses(mapped(event, &map), event.contributors, &inputs);
+            vec![event.clone(), other]
+        };
+        let (events, loose) = (pair(self.events.get(event)?), self.loose.as_ref().map(|loose| pair(&loose[event])));
+        Some(Self::of_events(inputs, events, loose))
+    }
+
+    /// Whether the model's two events can differ.
+    fn differing(&self, faults: &FaultSet) -> Verdict {
+        let valuations = self.valuations(&self.facts_under(faults)).into_iter();
+        let differing = valuations.filter(|valuation| valuation.set.first() != valuation.set.last());
+        let verdicts = differing.map(|found| found.witness.map_or(Verdict::Unknown, Verdict::Possible));
+        verdicts.max_by_key(|verdict| verdict.witness().is_some()).unwrap_or(Verdict::Never)
     }
 }
 

@@ -8,7 +8,8 @@ use crate::base::Fraction;
 
 impl Model {
     /// For each input, the smallest change of its reading alone that changes whether an event is set: any larger one may
-    /// do so, none smaller does. `None` where no reading of the input does. The witness must be complete, and possible
+    /// do so, none smaller does. `None` where no reading of the input does, or where smooth
+    /// terms leave it open. The witness must be complete, and possible
     /// under the failures.
     pub fn margins(&self, event: usize, faults: &FaultSet, at: &Witness) -> Vec<Option<Reading>> {
         let states = self.states(faults);
@@ -29,7 +30,7 @@ impl Model {
         input: usize,
         reading: &Fraction,
     ) -> Option<Fraction> {
-        let event = self.events.get(event)?;
+        let event = self.events.get(event).filter(|_| self.loose.is_none())?;
         let is_set = |degrees: &[Vec<Fraction>]| {
             let (contributor, detractor) = event.sides(degrees);
             contributor > detractor

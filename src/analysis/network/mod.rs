@@ -4,6 +4,7 @@
 //! to it; these patterns are finitely many, and they change only at finitely many levels. Inputs are independent of
 //! each other, so what the rules of one event can be at one level is the product of what each input can be.
 
+mod columns;
 mod curve;
 mod engine;
 mod event;
@@ -16,6 +17,7 @@ mod joint_bounds;
 mod likeness;
 mod linear;
 mod margin;
+mod membership;
 mod model;
 mod proof;
 mod question;
@@ -70,14 +72,14 @@ impl Model {
     /// The same by a method of one's choice; every method gives the same verdicts.
     pub fn facts_by(&self, method: Method, up_to: usize) -> Vec<NetworkFacts> {
         let mut known: HashMap<(usize, Vec<usize>), Arc<EventFacts>> = HashMap::new();
-        let mut readings: Vec<_> = self.events.iter().map(|event| Readings::new(self, event)).collect();
+        let mut readings: Vec<_> = (0..self.events.len()).map(|event| self.readings(event)).collect();
         let facts = self.fault_sets(up_to).into_iter().map(|faults| {
             let states = self.states(&faults);
             let events = self.events.iter().zip(&mut readings).enumerate().map(|(position, (event, readings))| {
                 // What no rule of the event names does not touch it.
                 let touching = event.uses.iter().map(|named| states[named.input]).collect();
                 let facts = known.entry((position, touching));
-                Arc::clone(facts.or_insert_with(|| Arc::new(EventFacts::new(readings, &states, method))))
+                Arc::clone(facts.or_insert_with(|| Arc::new(readings.facts(&states, method))))
             });
             let events = events.collect();
             NetworkFacts { faults, events }
@@ -88,13 +90,34 @@ impl Model {
     /// What is known under one set of failures.
     pub fn facts_under(&self, faults: &FaultSet) -> NetworkFacts {
         let states = self.states(faults);
-        let facts = |event| Arc::new(EventFacts::new(&mut Readings::new(self, event), &states, Method::Fitting));
-        NetworkFacts { faults: faults.clone(), events: self.events.iter().map(facts).collect() }
+        let facts = |event| Arc::new(self.readings(event).facts(&states, Method::Fitting));
+        NetworkFacts { faults: faults.clone(), events: (0..self.events.len()).map(facts).collect() }
+    }
+
+    fn readings(&self, event: usize) -> Bounded<'_> {
+        let loose = self.loose.as_ref().map(|events| Readings::new(self, &events[event]));
+        Bounded { sure: Readings::new(self, &self.events[event]), loose }
     }
 
     /// Which statuses the events can have together under the failures that some facts are about, sorted. An event with
     /// memory can also have a status from before.
     pub fn valuations(&self, facts: &NetworkFacts) -> Vec<Valuation> {
         joint::valuations(self, &self.states(&facts.faults), facts.events.iter().map(Arc::as_ref))
+    }
+}
+
+/// An event, and the same with the other bounds of its smooth terms.
+struct Bounded<'a> {
+    sure: Readings<'a>,
+    loose: Option<Readings<'a>>,
+}
+
+impl Bounded<'_> {
+    fn facts(&mut self, states: &[usize], method: Method) -> EventFacts {
+        let sure = EventFacts::new(&mut self.sure, states, method);
+        match &mut self.loose {
+            Some(loose) => EventFacts::between(sure, &EventFacts::new(loose, states, method)),
+            None => sure,
+        }
     }
 }

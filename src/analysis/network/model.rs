@@ -1,6 +1,6 @@
 //! A network made ready for questions: its inputs in every state, its events as rules over choices of literals.
 
-use super::curve::Curve;
+use super::columns::Columns;
 use super::faults::{FaultSet, fault_sets};
 use super::implication::implications;
 use super::sensor::Sensor;
@@ -22,7 +22,10 @@ pub struct Feed {
 #[derive(Debug, Clone)]
 pub struct Model {
     pub(super) inputs: Vec<Input>,
+    /// With every contributor rule as weak, and every detractor rule as strong as what is known of its terms allows.
     pub(super) events: Vec<EventModel>,
+    /// The other way round, where some term is smooth and only known within bounds.
+    pub(super) loose: Option<Vec<EventModel>>,
     /// Pairs of events of which the first implies the second by the form of their rules.
     pub(super) implications: Vec<(usize, usize)>,
 }
@@ -32,8 +35,8 @@ pub struct Model {
 pub(super) struct Input {
     /// Readings are in units of this power of π.
     pub(super) pi: i8,
-    /// The literals that some rule of the network names.
-    pub(super) literals: Vec<Literal>,
+    /// The degrees of what the rules name.
+    pub(super) columns: Columns,
     pub(super) fails: Vec<FailReading>,
     /// Healthy, then failed in each way.
     pub(super) sensors: Vec<Sensor>,
@@ -66,14 +69,20 @@ pub(super) struct Use {
 /// Literals of one input of which the largest degree counts.
 #[derive(Debug, Clone)]
 pub(super) struct Choice {
-    /// Positions in the input's literals.
+    /// Positions in the input's columns.
     pub(super) literals: Vec<usize>,
     /// The rules that name exactly these.
     pub(super) rules: Vec<usize>,
 }
 
-/// An input and the literals of it of which the largest degree counts.
+/// An input and the columns of it of which the largest degree counts.
 pub(super) type Clause = (usize, Vec<usize>);
+
+/// Rules by what they name: an input, and positions among what its columns stand for. So many contribute.
+pub(super) struct Rules {
+    pub(super) rules: Vec<Vec<Clause>>,
+    pub(super) contributors: usize,
+}
 
 impl Model {
     /// A network on its own: its variables say what feeds it. `None` where a variable is broken, which is reported
@@ -92,23 +101,62 @@ impl Model {
         let network = &program.networks[network];
         let rules: Vec<&Rule> =
             network.events.iter().flat_map(|event| event.contributor.iter().chain(&event.detractor)).collect();
-        let inputs = network.inputs.iter().zip(feeds).enumerate().map(|(position, (input, feed))| {
-            let clauses = rules.iter().flat_map(|rule| &rule.clauses);
-            let named = clauses.filter(|clause| clause.input as usize == position);
-            let mut literals: Vec<Literal> = named.flat_map(|clause| &clause.any_of).copied().collect();
+        let clauses = rules.iter().flat_map(|rule| &rule.clauses);
+        let mut named: Vec<Vec<Literal>> = vec![Vec::new(); network.inputs.len()];
+        clauses.for_each(|clause| named[clause.input as usize].extend(&clause.any_of));
+        for literals in &mut named {
             literals.sort_unstable();
             literals.dedup();
-            Input::new(&program.variables[input.variable], literals, feed)
-        });
+        }
+        let inputs = network.inputs.iter().zip(feeds).zip(&named);
+        let inputs =
+            inputs.map(|((input, feed), literals)| Input::new(&program.variables[input.variable], literals, feed));
         let inputs: Vec<Input> = inputs.collect::<Option<_>>()?;
-        let event = |event: &ir::Event| EventModel::new(&event.contributor, &event.detractor, &inputs);
-        let events = network.events.iter().map(event).collect();
-        Some(Self::of_events(inputs, events))
+        let clause = |clause: &ir::Clause| {
+            let input = clause.input as usize;
+            let known = &named[input];
+            (input, clause.any_of.iter().filter_map(|literal| known.binary_search(literal).ok()).collect())
+        };
+        let event = |event: &ir::Event| {
+            let rules = event.contributor.iter().chain(&event.detractor);
+            let rules = rules.map(|rule| rule.clauses.iter().map(clause).collect()).collect();
+            Rules { rules, contributors: event.contributor.len() }
+        };
+        let events: Vec<_> = network.events.iter().map(event).collect();
+        Some(Self::of_rules(inputs, &events))
     }
 
-    pub(super) fn of_events(inputs: Vec<Input>, events: Vec<EventModel>) -> Self {
+    /// Events with these rules.
+    pub(super) fn of_rules(inputs: Vec<Input>, rules: &[Rules]) -> Self {
+        let events = |is_loose: bool| -> Vec<_> {
+            let event = |of: &Rules| {
+                let columns = |(number, rule): (usize, &Vec<Clause>)| {
+                    let is_high = (number < of.contributors) == is_loose;
+                    let columns = |(input, named): &Clause| {
+                        let bounds = |named: &usize| inputs[*input].columns.bounds[*named];
+                        let column = |named| if is_high { bounds(named).1 } else { bounds(named).0 };
+                        (*input, named.iter().map(column).collect())
+                    };
+                    rule.iter().map(columns).collect()
+                };
+                let rules = of.rules.iter().enumerate().map(columns).collect();
+                EventModel::of_clauses(rules, of.contributors, &inputs)
+            };
+            rules.iter().map(event).collect()
+        };
+        let loose = inputs.iter().any(|input| input.columns.is_smooth()).then(|| events(true));
+        let events = events(false);
+        Self::of_events(inputs, events, loose)
+    }
+
+    pub(super) fn of_events(inputs: Vec<Input>, events: Vec<EventModel>, loose: Option<Vec<EventModel>>) -> Self {
         let implications = implications(&events);
-        Self { inputs, events, implications }
+        Self { inputs, events, loose, implications }
+    }
+
+    /// An event with every contributor rule as strong, and every detractor rule as weak as can be.
+    pub(super) fn loose(&self, event: usize) -> &EventModel {
+        &self.loose.as_ref().unwrap_or(&self.events)[event]
     }
 
     /// Every set of at most `up_to` failures, smallest first.
@@ -132,20 +180,17 @@ impl Model {
 }
 
 impl Input {
-    fn new(variable: &ir::Variable, literals: Vec<Literal>, feed: &Feed) -> Option<Self> {
+    fn new(variable: &ir::Variable, literals: &[Literal], feed: &Feed) -> Option<Self> {
         let (low, high) = feed.range;
-        let shapes: Vec<_> = variable.terms.iter().map(|term| &term.shape).collect();
-        let known = literals.iter().all(|literal| (literal.term as usize) < shapes.len());
-        if low > high || !known || !shapes.iter().all(|shape| breakpoints::in_order(shape)) {
+        if low > high || !variable.terms.iter().all(|term| breakpoints::in_order(&term.shape)) {
             return None;
         }
         let pi = if low.is_zero() { high.pi_power() } else { low.pi_power() };
-        let curve = |literal: &Literal| Curve::new(shapes[literal.term as usize], literal.negated, pi);
-        let curves: Vec<_> = literals.iter().map(curve).collect();
+        let columns = Columns::new(literals.iter().map(|literal| (variable, *literal)), pi)?;
         let range = (low.to_fraction(pi), high.to_fraction(pi));
-        let failed = feed.fails.iter().map(|&fail| Sensor::failed(&curves, &range, fail, pi));
-        let sensors = std::iter::once(Sensor::healthy(&curves, &range)).chain(failed).collect();
-        Some(Self { pi, literals, fails: feed.fails.clone(), sensors })
+        let failed = feed.fails.iter().map(|&fail| Sensor::failed(&columns, &range, fail, pi));
+        let sensors = std::iter::once(Sensor::healthy(&columns, &range)).chain(failed).collect();
+        Some(Self { pi, columns, fails: feed.fails.clone(), sensors })
     }
 }
 
@@ -157,16 +202,6 @@ impl Use {
 }
 
 impl EventModel {
-    fn new(contributor: &[Rule], detractor: &[Rule], inputs: &[Input]) -> Self {
-        let clause = |clause: &ir::Clause| {
-            let input = clause.input as usize;
-            let known = &inputs[input].literals;
-            (input, clause.any_of.iter().filter_map(|literal| known.binary_search(literal).ok()).collect())
-        };
-        let rules = contributor.iter().chain(detractor).map(|rule| rule.clauses.iter().map(clause).collect());
-        Self::of_clauses(rules.collect(), contributor.len(), inputs)
-    }
-
     /// An event with these rules, of which so many contribute, each the smallest of its clauses.
     pub(super) fn of_clauses(rules: Vec<Vec<Clause>>, contributors: usize, inputs: &[Input]) -> Self {
         let count = rules.len();

@@ -1,7 +1,7 @@
 //! Why something never happens: the inputs and rules that suffice to see it.
 
 use super::faults::FaultSet;
-use super::model::Model;
+use super::model::{EventModel, Model};
 use super::question::Question;
 use super::sat::Problem;
 use super::solver::Proposition;
@@ -21,9 +21,21 @@ pub struct Proof {
 }
 
 impl Model {
+    /// The event in which a question's never is one for sure; `None` where smooth terms leave no such thing.
+    fn proving(&self, event: usize, question: Question) -> Option<&EventModel> {
+        let sure = self.events.get(event)?;
+        match question {
+            _ if self.loose.is_none() => Some(sure),
+            Question::Set => Some(self.loose(event)),
+            Question::Fires(rule) if rule < sure.contributors => Some(self.loose(event)),
+            Question::Clear | Question::Fires(_) => Some(sure),
+            Question::Tie | Question::Dead | Question::Strongest(_) | Question::Decisive(_) => None,
+        }
+    }
+
     /// The proof that something never happens under some failures, or `None` if it does.
     pub fn proof(&self, event: usize, faults: &FaultSet, question: Question) -> Option<Proof> {
-        let (event, states) = (self.events.get(event)?, self.states(faults));
+        let (event, states) = (self.proving(event, question)?, self.states(faults));
         let levels = event.levels(&states);
         let mut problems = Vec::new();
         for condition in question.conditions(event) {

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::columns::Columns;
 use super::curve::Curve;
 use crate::analysis::support::Interval;
 use crate::base::Fraction;
@@ -32,14 +33,14 @@ pub(super) struct Piece {
 
 impl Sensor {
     /// A sensor that can give every reading of a range.
-    pub(super) fn healthy(curves: &[Curve], range: &(Fraction, Fraction)) -> Self {
+    pub(super) fn healthy(columns: &Columns, range: &(Fraction, Fraction)) -> Self {
         let (low, high) = range;
-        let bends = curves.iter().flat_map(Curve::bends).filter(|at| low < *at && *at < high);
+        let bends = columns.curves.iter().flat_map(Curve::bends).filter(|at| low < *at && *at < high);
         let mut places: Vec<&Fraction> = bends.chain([low, high]).collect();
         places.sort_unstable();
         places.dedup();
         let around: Vec<Vec<_>> =
-            places.iter().map(|at| curves.iter().map(|curve| curve.around(at)).collect()).collect();
+            places.iter().map(|at| columns.curves.iter().map(|curve| curve.around(at)).collect()).collect();
         let mut cells = Vec::with_capacity(2 * places.len());
         for (index, (place, here)) in places.iter().zip(&around).enumerate() {
             let degrees = here.iter().map(|limits| (limits.at.clone(), limits.at.clone())).collect();
@@ -54,26 +55,26 @@ impl Sensor {
     }
 
     /// A failed sensor. A reading that is unknown but constant may be any one of the range.
-    pub(super) fn failed(curves: &[Curve], range: &(Fraction, Fraction), fail: FailReading, pi: i8) -> Self {
+    pub(super) fn failed(columns: &Columns, range: &(Fraction, Fraction), fail: FailReading, pi: i8) -> Self {
         match fail {
-            FailReading::Any => Self::healthy(curves, range),
+            FailReading::Any => Self::healthy(columns, range),
             FailReading::Value(value) => {
                 let value = value.to_fraction(pi);
-                Self::healthy(curves, &(value.clone(), value))
+                Self::healthy(columns, &(value.clone(), value))
             }
-            FailReading::Absent => Self::absent(curves),
+            FailReading::Absent => Self::absent(columns),
         }
     }
 
     /// A sensor that gives no reading.
-    pub(super) fn absent(curves: &[Curve]) -> Self {
-        let degrees = curves.iter().map(|curve| (curve.without_reading(), curve.without_reading())).collect();
+    pub(super) fn absent(columns: &Columns) -> Self {
+        let degrees = columns.absent.iter().map(|degree| (degree.clone(), degree.clone())).collect();
         Self { cells: vec![Cell { ends: None, degrees }] }
     }
 
     /// A sensor that gives the readings between two cuts; `None` where there are none.
-    pub(super) fn between(curves: &[Curve], (from, to): &Interval, pi: i8) -> Option<Self> {
-        let mut sensor = Self::healthy(curves, &(from.at.to_fraction(pi), to.at.to_fraction(pi)));
+    pub(super) fn between(columns: &Columns, (from, to): &Interval, pi: i8) -> Option<Self> {
+        let mut sensor = Self::healthy(columns, &(from.at.to_fraction(pi), to.at.to_fraction(pi)));
         if from.after {
             sensor.cells.remove(0);
         }

@@ -4,8 +4,9 @@
 //! literals cross. Between neighbouring heights, in a gap, one level stands for all.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
-use super::sensor::Sensor;
+use super::sensor::{Cell, Sensor};
 use crate::base::Fraction;
 
 /// How each choice of literals compares to a level.
@@ -27,13 +28,12 @@ impl Slices {
         literals.sort_unstable();
         literals.dedup();
         let heights = heights(sensor, &literals);
-        let gaps = heights.windows(2).map(|pair| pair[0].halfway(&pair[1]));
-        let mut levels = Vec::with_capacity(2 * heights.len());
-        for (height, gap) in heights.iter().zip(gaps.map(Some).chain([None])) {
-            levels.push(height.clone());
-            levels.extend(gap);
-        }
-        let patterns = levels.iter().map(|level| patterns(sensor, choices, level)).collect();
+        let ranked = Ranked::new(sensor, choices, &heights);
+        let levels = heights.iter().enumerate().flat_map(|(index, height)| {
+            let next = heights.get(index + 1);
+            [Some((2 * index, height.clone())), next.map(|next| (2 * index + 1, height.halfway(next)))]
+        });
+        let patterns = levels.flatten().map(|(rank, level)| ranked.patterns(rank, &level)).collect();
         Self { heights, patterns }
     }
 
@@ -74,45 +74,80 @@ fn crossing(one: &(Fraction, Fraction), other: &(Fraction, Fraction)) -> Option<
     Some(&one.0 + &(&(&one.1 - &one.0) * &share))
 }
 
-fn patterns(sensor: &Sensor, choices: &[&[usize]], level: &Fraction) -> Vec<Pattern> {
-    let mut found: Vec<Pattern> = Vec::new();
-    for_each_piece(sensor, choices, level, |pattern, _, _| {
-        if !found.contains(&pattern) {
-            found.push(pattern);
+/// The degrees at the ends of each kind of cell as ranks among the heights: most comparisons need no more.
+struct Ranked<'a> {
+    choices: &'a [&'a [usize]],
+    /// A cell of each kind, and for each literal of each choice twice the position of its degrees among the heights.
+    cells: Vec<(&'a Cell, Vec<(usize, usize)>)>,
+}
+
+impl<'a> Ranked<'a> {
+    fn new(sensor: &'a Sensor, choices: &'a [&'a [usize]], heights: &[Fraction]) -> Self {
+        let rank = |degree: &Fraction| 2 * heights.binary_search(degree).unwrap_or(0);
+        let ends = |cell: &Cell| {
+            let literals = choices.iter().copied().flatten();
+            literals.map(|&literal| (rank(&cell.degrees[literal].0), rank(&cell.degrees[literal].1))).collect()
+        };
+        let mut known = HashSet::new();
+        let mut cells: Vec<(&Cell, Vec<_>)> = sensor.cells.iter().map(|cell| (cell, ends(cell))).collect();
+        cells.retain(|(_, ends)| known.insert(ends.clone()));
+        Self { choices, cells }
+    }
+
+    /// The patterns at a level with a rank among the heights, even for one of them, odd for a gap.
+    fn patterns(&self, rank: usize, level: &Fraction) -> Vec<Pattern> {
+        let mut found = Vec::new();
+        let mut known = HashSet::new();
+        let mut add = |pattern: Pattern| {
+            if known.insert(pattern.clone()) {
+                found.push(pattern);
+            }
+        };
+        for (cell, ends) in &self.cells {
+            if ends.iter().all(|(from, to)| from.min(to) >= &rank || from.max(to) <= &rank) {
+                // Nothing crosses the level inside the cell; one end at most touches it.
+                let signs = ends.iter().map(|(from, to)| from.cmp(&rank).then(to.cmp(&rank)));
+                add(pattern(self.choices, 0.cmp(&rank), signs));
+            } else {
+                for_each_piece(cell, self.choices, level, |pattern, _| add(pattern));
+            }
         }
-    });
-    found
+        found
+    }
 }
 
 /// The reading with a pattern at a level, as far from readings with another one as it can be; `None` where the sensor
 /// gives none. Answers nothing useful for a pattern that does not occur at the level.
 pub(super) fn reading(sensor: &Sensor, choices: &[&[usize]], level: &Fraction, wanted: &Pattern) -> Option<Fraction> {
     let mut best: Option<(Fraction, Fraction)> = None;
-    for_each_piece(sensor, choices, level, |pattern, from, to| {
-        if let (Some(from), Some(to)) = (from, to)
-            && pattern == *wanted
-            && best.as_ref().is_none_or(|best| &to - &from > &best.1 - &best.0)
-        {
-            best = Some((from, to));
-        }
-    });
+    for cell in &sensor.cells {
+        for_each_piece(cell, choices, level, |pattern, share| {
+            if pattern != *wanted {
+                return;
+            }
+            if let (Some(from), Some(to)) = (cell.reading(&share.0), cell.reading(&share.1))
+                && best.as_ref().is_none_or(|best| &to - &from > &best.1 - &best.0)
+            {
+                best = Some((from, to));
+            }
+        });
+    }
     best.map(|(from, to)| from.halfway(&to))
 }
 
+/// The patterns inside a cell, and the shares of it at which each begins and ends.
 fn for_each_piece(
-    sensor: &Sensor,
+    cell: &Cell,
     choices: &[&[usize]],
     level: &Fraction,
-    mut visit: impl FnMut(Pattern, Option<Fraction>, Option<Fraction>),
+    mut visit: impl FnMut(Pattern, &(Fraction, Fraction)),
 ) {
-    let literals = choices.concat();
-    let nothing = Fraction::ZERO.cmp(level);
-    for cell in &sensor.cells {
-        for piece in cell.pieces(&literals, level) {
-            let mut signs = piece.signs.iter().copied();
-            let largest = |choice: &&[usize]| signs.by_ref().take(choice.len()).fold(nothing, Ordering::max);
-            let pattern = choices.iter().map(largest).collect();
-            visit(pattern, cell.reading(&piece.share.0), cell.reading(&piece.share.1));
-        }
+    for piece in cell.pieces(&choices.concat(), level) {
+        visit(pattern(choices, Fraction::ZERO.cmp(level), piece.signs.iter().copied()), &piece.share);
     }
+}
+
+/// How each choice compares to a level, given how each of its literals does, and how 0 does.
+fn pattern(choices: &[&[usize]], nothing: Ordering, mut signs: impl Iterator<Item = Ordering>) -> Pattern {
+    choices.iter().map(|choice| signs.by_ref().take(choice.len()).fold(nothing, Ordering::max)).collect()
 }

@@ -31,14 +31,16 @@ impl Model {
             .collect()
     }
 
-    /// Which events are set at some readings.
-    pub(super) fn flags(&self, states: &[usize], witness: &Witness) -> Vec<bool> {
+    /// Which events are set at some readings; `None` where smooth terms leave it open.
+    pub(super) fn flags(&self, states: &[usize], witness: &Witness) -> Option<Vec<bool>> {
         let degrees = self.degrees(states, witness);
         let flag = |event: &EventModel| {
             let (contributor, detractor) = event.sides(&degrees);
             contributor > detractor
         };
-        self.events.iter().map(flag).collect()
+        let flags: Vec<_> = self.events.iter().map(flag).collect();
+        let is_sure = self.loose.as_ref().is_none_or(|loose| loose.iter().map(flag).eq(flags.iter().copied()));
+        is_sure.then_some(flags)
     }
 }
 

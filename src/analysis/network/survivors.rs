@@ -33,12 +33,15 @@ impl Model {
         self.single_rules(event, |_| true)
     }
 
-    fn single_rules(&self, event: usize, keep: impl Fn(&[Clause]) -> bool) -> Option<Survivors> {
-        let event = self.events.get(event)?;
+    fn single_rules(&self, position: usize, keep: impl Fn(&[Clause]) -> bool) -> Option<Survivors> {
+        let event = self.events.get(position)?;
         let single = |rule: &Vec<(usize, &[usize])>| -> Option<Vec<SingleRule>> {
             let kept = expanded(rule)?.into_iter().filter(|rule| keep(rule));
             let literal = |(input, literals): &Clause| {
-                literals.iter().map(|&literal| (*input, self.inputs[*input].literals[literal])).collect::<Vec<_>>()
+                literals
+                    .iter()
+                    .map(|&literal| (*input, self.inputs[*input].columns.literals[literal]))
+                    .collect::<Vec<_>>()
             };
             Some(kept.map(|rule| rule.iter().flat_map(literal).collect()).collect())
         };
@@ -48,8 +51,9 @@ impl Model {
             all.dedup();
             Some(all)
         };
-        let clauses = event.clauses();
-        let (contributors, detractors) = clauses.split_at(event.contributors);
+        // A rule that may fire survives: its terms count as high as they can be.
+        let (loose, clauses) = (self.loose(position).clauses(), event.clauses());
+        let (contributors, detractors) = (&loose[..event.contributors], &clauses[event.contributors..]);
         Some(Survivors { contributor: side(contributors)?, detractor: side(detractors)? })
     }
 
@@ -61,8 +65,12 @@ impl Model {
             let contributors = rules.iter().take(event.contributors).map(Vec::len).sum();
             Some(EventModel::of_clauses(rules.concat(), contributors, &self.inputs))
         };
-        let events = self.events.iter().map(event).collect::<Option<_>>()?;
-        Some(Self::of_events(self.inputs.clone(), events))
+        let all = |events: &Vec<EventModel>| events.iter().map(event).collect::<Option<Vec<_>>>();
+        let loose = match &self.loose {
+            Some(loose) => Some(all(loose)?),
+            None => None,
+        };
+        Some(Self::of_events(self.inputs.clone(), all(&self.events)?, loose))
     }
 
     /// Whether all clauses of a rule can be above 0 together. Inputs are independent of each other.
