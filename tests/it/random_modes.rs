@@ -84,7 +84,7 @@ impl Actuators for Deaf {
 fn what_never_happens_is_not_seen() {
     let mut random = Random(7);
     let (mut dead, mut live) = (0, 0);
-    for _ in 0..150 {
+    for _ in 0..80 {
         let text = random.behavior();
         let analysis = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
         let plan = plan::build(analysis.checked().unwrap(), Id::new(0), Id::new(0), &[]);
@@ -122,5 +122,5 @@ fn what_never_happens_is_not_seen() {
         }
         live += seen.iter().filter(|seen| **seen).count();
     }
-    assert!(dead > 100 && live > 800, "{dead} dead, {live} live: the diagrams show nothing");
+    assert!(dead > 50 && live > 400, "{dead} dead, {live} live: the diagrams show nothing");
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::Valuation;
 use super::columns::Columns;
 use super::joint;
-use super::model::{Input, Model, Rules};
+use super::model::{EventModel, Input, Model, Rules};
 use super::sensor::Sensor;
 use crate::analysis::breakpoints::in_order;
 use crate::analysis::support::Interval;
@@ -75,7 +75,7 @@ impl Model {
             Rules { rules, contributors: fed.network.events[fed.event as usize].contributor.len() }
         });
         let events: Vec<_> = events.collect();
-        Some(Self::of_rules(inputs, &events))
+        Some(Self::of_rules(inputs, &events, EventModel::without_slices))
     }
 }
 

@@ -11,6 +11,7 @@ use super::event::{EventFacts, Verdict};
 use super::joint_bounds::{Bound, Bounds, Side};
 use super::linear::{self, Inequality};
 use super::model::{EventModel, Model};
+use super::sensor::Cell;
 use super::solver::{Proposition, Solver};
 use super::witness::{Reading, Witness};
 use crate::base::Fraction;
@@ -49,8 +50,13 @@ pub(super) fn valuations<'a>(
 
 /// The same where nothing is known of the events yet; `None` where there are more than `most`.
 pub(super) fn all_valuations(model: &Model, states: &[usize], most: usize) -> Option<Vec<Valuation>> {
-    Known::new(model).all(model, states, most)
+    let mut known = Known::new(model);
+    known.look(model, states);
+    known.all(model, states, most)
 }
+
+/// The most combinations of readings that are looked at before a search.
+const MOST_LOOKS: usize = 64;
 
 /// The valuations found so far; the solver is to find another one.
 struct Known {
@@ -81,6 +87,33 @@ impl Known {
 }
 
 impl Known {
+    /// Looks at the middle of every combination of cells, where there are few. Where each cell is a point, nothing is
+    /// left to search for.
+    fn look(&mut self, model: &Model, states: &[usize]) {
+        let sensors: Vec<_> = model.inputs.iter().zip(states).map(|(input, &state)| &input.sensors[state]).collect();
+        let combinations = sensors.iter().map(|sensor| sensor.cells.len()).fold(1, usize::saturating_mul);
+        if combinations > MOST_LOOKS {
+            return;
+        }
+        let middle = Fraction::new(1, 2);
+        let mut all_sure = sensors.iter().all(|sensor| sensor.cells.iter().all(Cell::is_point));
+        for mut number in 0..combinations {
+            let readings = sensors.iter().zip(&model.inputs).map(|(sensor, input)| {
+                let cell = &sensor.cells[number % sensor.cells.len()];
+                number /= sensor.cells.len();
+                Some(Reading { fraction: cell.reading(&middle)?, pi: input.pi })
+            });
+            let witness = Witness { readings: readings.collect() };
+            match model.flags(states, &witness) {
+                Some(flags) => self.found(flags, Some(witness)),
+                None => all_sure = false,
+            }
+        }
+        if all_sure {
+            self.solver.demand([]);
+        }
+    }
+
     /// All of them, sorted; `None` where there are more than `most`.
     fn all(mut self, model: &Model, states: &[usize], most: usize) -> Option<Vec<Valuation>> {
         // Often nothing is left to search for.

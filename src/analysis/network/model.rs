@@ -123,11 +123,15 @@ impl Model {
             Rules { rules, contributors: event.contributor.len() }
         };
         let events: Vec<_> = network.events.iter().map(event).collect();
-        Some(Self::of_rules(inputs, &events))
+        Some(Self::of_rules(inputs, &events, EventModel::of_clauses))
     }
 
-    /// Events with these rules.
-    pub(super) fn of_rules(inputs: Vec<Input>, rules: &[Rules]) -> Self {
+    /// Events with these rules, each made of clauses over columns.
+    pub(super) fn of_rules(
+        inputs: Vec<Input>,
+        rules: &[Rules],
+        event_of: fn(Vec<Vec<Clause>>, usize, &[Input]) -> EventModel,
+    ) -> Self {
         let events = |is_loose: bool| -> Vec<_> {
             let event = |of: &Rules| {
                 let columns = |(number, rule): (usize, &Vec<Clause>)| {
@@ -140,7 +144,7 @@ impl Model {
                     rule.iter().map(columns).collect()
                 };
                 let rules = of.rules.iter().enumerate().map(columns).collect();
-                EventModel::of_clauses(rules, of.contributors, &inputs)
+                event_of(rules, of.contributors, &inputs)
             };
             rules.iter().map(event).collect()
         };
@@ -204,6 +208,16 @@ impl Use {
 impl EventModel {
     /// An event with these rules, of which so many contribute, each the smallest of its clauses.
     pub(super) fn of_clauses(rules: Vec<Vec<Clause>>, contributors: usize, inputs: &[Input]) -> Self {
+        let mut event = Self::without_slices(rules, contributors, inputs);
+        for named in &mut event.uses {
+            let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
+            named.slices = inputs[named.input].sensors.iter().map(|sensor| Slices::new(sensor, &choices)).collect();
+        }
+        event
+    }
+
+    /// The same for questions about several events together, which look at no single level.
+    pub(super) fn without_slices(rules: Vec<Vec<Clause>>, contributors: usize, _: &[Input]) -> Self {
         let count = rules.len();
         let mut uses: Vec<Use> = Vec::new();
         let mut unconditional = Vec::new();
@@ -224,10 +238,6 @@ impl EventModel {
             }
         }
         uses.sort_unstable_by_key(|named| named.input);
-        for named in &mut uses {
-            let choices: Vec<_> = named.choices.iter().map(|choice| choice.literals.as_slice()).collect();
-            named.slices = inputs[named.input].sensors.iter().map(|sensor| Slices::new(sensor, &choices)).collect();
-        }
         Self { contributors, rules: count, unconditional, uses }
     }
 
