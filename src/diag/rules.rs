@@ -75,6 +75,11 @@ rules! {
     CIRCULAR "LM0205" "circular-declaration" Error "declarations that need each other in a circle"
     AMBIGUOUS_NAME "LM0206" "ambiguous-name" Error "a name that could mean two things"
     UNUSED_IMPORT "LM0207" "unused-import" Warning "an import of which nothing is used"
+    UNUSED_FLAG "LM0208" "unused-flag" Warning "a flag that nothing reads"
+    UNUSED_SENSE "LM0209" "unused-sense" Warning "a sensed network of which no event is read"
+    UNUSED_TERM "LM0210" "unused-term" Warning "a term that no rule names"
+    UNUSED_VARIABLE "LM0211" "unused-variable" Warning "a variable that no network takes"
+    UNUSED_SENSOR "LM0212" "unused-sensor" Info "a sensor that nothing reads"
 
     DIMENSION_MISMATCH "LM0301" "dimension-mismatch" Error "a quantity of the wrong dimension"
     UNKNOWN_UNIT "LM0302" "unknown-unit" Error "a unit the language does not know"

@@ -18,6 +18,9 @@ pub(super) struct Scene {
     pub(super) events: HashMap<String, Vec<(u32, u32)>>,
     /// The named flags; `None` for one that is broken and was reported.
     pub(super) flags: HashMap<String, Option<Id<ir::Flag>>>,
+    /// Where each sense and each flag is declared.
+    pub(super) sense_places: Vec<Span>,
+    pub(super) flag_places: Vec<Span>,
     /// The modes, where a condition may name them.
     pub(super) modes: HashMap<String, Id<ir::Mode>>,
     /// The interface the behavior is written on, if it is one.
@@ -170,7 +173,19 @@ impl Lower<'_> {
             let is_near = diagnostic.help.as_ref().is_some_and(|help| help.starts_with("did"));
             self.report(if is_near { diagnostic } else { diagnostic.help_maybe(elsewhere) });
         }
-        found.pop().map(|(_, op)| op)
+        let op = found.pop().map(|(_, op)| op)?;
+        self.note_read(&op, scene);
+        Some(op)
+    }
+
+    fn note_read(&mut self, op: &Op, scene: &Scene) {
+        let place = match op {
+            Op::Flag(flag) => scene.flag_places.get(flag.index()).copied(),
+            Op::Event { sense, .. } => scene.sense_places.get(*sense as usize).copied(),
+            Op::Sensor(sensor) => Some(self.program.sensors[*sensor].symbol.span),
+            _ => None,
+        };
+        self.read.extend(place);
     }
 
     /// Where a network has an event of that name that the behavior does not sense.
@@ -194,7 +209,9 @@ impl Lower<'_> {
             let what = format!("event of `{}`", sense.text);
             self.report(self.unknown(event, &what, known.map(|(name, _)| name.as_str())));
         }
-        found.map(|&(sense, event)| Op::Event { sense, event })
+        let op = found.map(|&(sense, event)| Op::Event { sense, event })?;
+        self.note_read(&op, scene);
+        Some(op)
     }
 
     /// The sensor of that name, without a report.
@@ -210,6 +227,7 @@ impl Lower<'_> {
             let diagnostic = self.unknown(name, "sensor", known);
             self.report(diagnostic);
         }
+        self.read.extend(found.map(|sensor| self.program.sensors[sensor].symbol.span));
         found.filter(|sensor| !self.poison.sensors.contains(sensor))
     }
 

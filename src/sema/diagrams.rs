@@ -30,7 +30,7 @@ fn put<'a, T>(parts: &mut Vec<&'a T>, places: &mut HashMap<&'a str, usize>, name
     }
 }
 
-fn sense_name(sense: &ast::Sense) -> &ast::Name {
+pub(super) fn sense_name(sense: &ast::Sense) -> &ast::Name {
     sense.alias.as_ref().unwrap_or(&sense.network)
 }
 
@@ -163,6 +163,7 @@ impl<'a> Lower<'a> {
             let position = senses.len() as u32;
             let name = sense_name(tree);
             scene.senses.insert(name.text.clone(), position);
+            scene.sense_places.push(name.span);
             for (event, declared) in self.program.networks[network].events.iter().enumerate() {
                 scene.events.entry(declared.symbol.name.clone()).or_default().push((position, event as u32));
             }
@@ -283,6 +284,7 @@ impl<'a> Lower<'a> {
             let condition = self.condition(&tree.condition, scene);
             let id = lowered.add(ir::Flag { symbol: symbol(&tree.name, tree.doc.as_ref()), condition });
             scene.flags.insert(tree.name.text.clone(), Some(id));
+            scene.flag_places.push(tree.name.span);
             placed[next] = true;
             for &user in &users[next] {
                 waiting[user] -= 1;

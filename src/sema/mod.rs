@@ -15,6 +15,7 @@ mod scenarios;
 mod scope;
 mod shapes;
 mod unparsed;
+mod unused;
 mod worlds;
 
 pub use scope::Import;
@@ -54,6 +55,7 @@ pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
         unparsed: Unparsed::collect(units, sources),
         program: Program::default(),
         poison: Poison::default(),
+        read: HashSet::new(),
         comparisons: Cell::new(MOST_COMPARISONS),
         diagnostics,
     };
@@ -62,6 +64,7 @@ pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
     }
     lower.run(Phase::Scenarios);
     lower.unused_imports();
+    lower.unused();
     (lower.program, lower.diagnostics)
 }
 
@@ -88,6 +91,8 @@ struct Lower<'a> {
     unparsed: Unparsed<'a>,
     program: Program,
     poison: Poison,
+    /// The names of the declarations that something reads.
+    read: HashSet<Span>,
     /// How many more names may be compared for a suggestion.
     comparisons: Cell<usize>,
     diagnostics: Vec<Diagnostic>,

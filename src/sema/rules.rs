@@ -42,8 +42,9 @@ impl Lower<'_> {
             let terms = match &cell.kind {
                 ast::CellKind::Omitted => continue,
                 ast::CellKind::Any => {
-                    let terms = self.program.variables[network.inputs[input as usize].variable].terms.len();
-                    Some((0..terms as u32).collect())
+                    let terms = &self.program.variables[network.inputs[input as usize].variable].terms;
+                    self.read.extend(terms.iter().map(|term| term.symbol.span));
+                    Some((0..terms.len() as u32).collect())
                 }
                 ast::CellKind::Term(name) => self.terms(std::slice::from_ref(name), network, input),
                 ast::CellKind::AnyOf(names) => self.terms(names, network, input),
@@ -63,7 +64,10 @@ impl Lower<'_> {
         let mut sound = true;
         for name in names {
             match super::position(&name.text, variable.terms.iter().map(|term| &term.symbol)) {
-                Some(term) => terms.push(term as u32),
+                Some(term) => {
+                    self.read.insert(variable.terms[term].symbol.span);
+                    terms.push(term as u32);
+                }
                 // It may be the term that could not be parsed.
                 None if variable.incomplete => sound = false,
                 None => {

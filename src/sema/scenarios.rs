@@ -265,9 +265,11 @@ impl<'a> Lower<'a> {
         }
         for (id, flag) in diagram.flags.iter() {
             scene.flags.insert(flag.symbol.name.clone(), Some(id));
+            scene.flag_places.push(flag.symbol.span);
         }
         for (position, sense) in diagram.senses.iter().enumerate() {
             scene.senses.insert(sense.symbol.name.clone(), position as u32);
+            scene.sense_places.push(sense.symbol.span);
             for (event, declared) in self.program.networks[sense.network].events.iter().enumerate() {
                 let place = (position as u32, event as u32);
                 scene.events.entry(declared.symbol.name.clone()).or_default().push(place);

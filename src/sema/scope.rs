@@ -220,7 +220,10 @@ impl<'a> Lower<'a> {
 
     pub(super) fn find_variable(&mut self, name: &ast::Name) -> Option<Id<ir::Variable>> {
         match self.look_up(name, "variable")? {
-            Declared::Variable(variable) => self.scopes.variables.get(&variable.name.span).copied(),
+            Declared::Variable(variable) => {
+                self.read.insert(variable.name.span);
+                self.scopes.variables.get(&variable.name.span).copied()
+            }
             other => {
                 self.wrong_kind(name, other, "variable");
                 None

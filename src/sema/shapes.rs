@@ -133,6 +133,7 @@ impl Lower<'_> {
             self.report(invalid(name.span, format!("a term is built from at most {MOST_PARTS} parts")));
             return None;
         }
+        self.read.insert(term.name.span);
         built.path.push(&term.name);
         let part = self.part(&term.shape, terms, built);
         built.path.pop();

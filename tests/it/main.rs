@@ -22,4 +22,5 @@ mod sessions;
 mod support;
 mod syntax;
 mod tick;
+mod unused;
 mod watch;
