@@ -7,6 +7,7 @@
 
 mod breakpoints;
 mod coverage;
+mod durations;
 mod exits;
 mod fault_table;
 pub mod modes;
@@ -26,6 +27,7 @@ use crate::ir::{Program, Symbol};
 /// Linear in the size of the program, and in the cases of each mode.
 pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
+    durations::check(program, &matters, &mut findings);
     let matters = |symbol: &Symbol| matters(symbol.span.file);
     for variable in program.variables.values().filter(|variable| matters(&variable.symbol)) {
         breakpoints::check(variable, &mut findings);

@@ -245,7 +245,7 @@ impl Formula {
 }
 
 /// An expression and what it is made of, operands first; flags are not entered.
-fn parts(program: &Program, root: Id<Expr>) -> Vec<Id<Expr>> {
+pub(in crate::analysis) fn parts(program: &Program, root: Id<Expr>) -> Vec<Id<Expr>> {
     let mut found = vec![root];
     let mut next = 0;
     while let Some(&id) = found.get(next) {

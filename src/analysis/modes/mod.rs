@@ -23,6 +23,7 @@ mod traps;
 pub use dwell::{Moment, Way};
 pub use facts::{Facts, ModeFacts, Step, fault_table};
 pub use faults::{Fault, FaultSet};
+pub(super) use formula::parts;
 
 use crate::base::Id;
 use crate::diag::Diagnostic;
