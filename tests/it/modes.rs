@@ -177,9 +177,17 @@ fn a_transition_whose_target_is_inhibited_whenever_it_holds() {
 fn timers_that_never_expire() {
     let modes = |exits: &str| format!("entry a  mode a {{ halt() {exits} }}  mode b {{ halt()  1: after 1 s -> a }}");
     finds(&modes("1: after 5 s -> b  2: after 2 s -> b"), &[("LM0413", "after 5 s")]);
-    finds(&modes("1: after 5 s -> b  2: after 2 s -> again  3: x > 3 -> b"), &[("LM0413", "after 5 s")]);
     finds(&modes("1: after 5 s -> b  2: after 2 s and x > 3 -> b"), &[]);
-    finds(&modes("1: x <= 5 -> again  2: x > 5 -> b  3: after 1 s -> b"), &[("LM0413", "after 1 s")]);
+    finds(
+        &modes("1: after 5 s -> b  2: after 2 s -> again  3: after 3 s -> b"),
+        &[("LM0413", "after 5 s"), ("LM0420", "after 3 s"), ("LM0414", "b")],
+    );
+    finds(&modes("1: after 5 s -> b  2: after 2 s -> again  3: x > 3 -> b"), &[("LM0420", "after 5 s")]);
+    finds(&modes("1: x <= 5 -> again  2: x > 5 -> b  3: after 1 s -> b"), &[("LM0420", "after 1 s")]);
+    finds(
+        &modes("1: after 2 s -> again  2: after 1 s -> b  3: after 3 s -> b"),
+        &[("LM0413", "after 2 s"), ("LM0413", "after 3 s")],
+    );
 }
 
 #[test]

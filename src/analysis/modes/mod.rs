@@ -33,6 +33,7 @@ use ticks::Scene;
 
 /// A transition with what is known of its mode.
 struct Subject<'a> {
+    scene: &'a Scene<'a>,
     program: &'a Program,
     diagram: &'a Diagram,
     mode: &'a Mode,
@@ -86,7 +87,7 @@ pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Dia
         let found = findings.len();
         // One finding for a transition, the one that says most, from the top: an exit that always fires hides the rest.
         for index in 0..mode.transitions.len() {
-            let subject = Subject { program, diagram, mode, examined, index };
+            let subject = Subject { scene: &scene, program, diagram, mode, examined, index };
             if always_true::check(&subject, findings) {
                 break;
             }
