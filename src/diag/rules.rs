@@ -117,6 +117,7 @@ rules! {
     ISLAND_OF_MODES "LM0417" "island-of-modes" Warning "modes that lead only to each other"
     ALWAYS_INHIBITED "LM0418" "always-inhibited" Warning "a transition that holds only while its target is inhibited"
     TIMER_RESTARTED "LM0420" "timer-restarted" Warning "a time that `again` always restarts before it ends"
+    OSCILLATION "LM0421" "oscillation" Info "modes that the same readings drive round and round"
 
     BREAKPOINTS_OUT_OF_ORDER "LM0501" "breakpoints-out-of-order" Error "corners of a membership function that do not ascend"
     TERM_OUTSIDE_RANGE "LM0502" "term-outside-range" Warning "a term that is zero over the whole range of its variable"

@@ -230,6 +230,46 @@ fn modes_that_follow_each_other_on_every_tick() {
 }
 
 #[test]
+fn conditions_that_are_held_follow_each_other_too() {
+    finds(
+        "entry a
+         mode a { halt()  1: held(x > 5, 1 s) -> b }
+         mode b { halt()  1: held(x > 3, 2 s) or rising(full) -> a }",
+        &[("LM0416", "1: held(x > 5, 1 s) -> b")],
+    );
+    finds(
+        "entry a
+         mode a { halt()  1: rising(x > 5) -> b }
+         mode b { halt()  1: held(x > 3, 2 s) -> a }",
+        &[],
+    );
+}
+
+/// The readings with which the modes are said to go round and round.
+fn oscillates(modes: &str) -> Option<String> {
+    let text = format!("{ROBOT}\nbehavior b on cart {{\n{modes}\n}}");
+    let analysis = analyze_texts(&[("b.msd", &text)]);
+    assert!(doubts(&analysis).is_empty(), "{}", report(&analysis));
+    let found = analysis.findings.into_iter().find(|finding| finding.rule.name == "oscillation");
+    found.map(|finding| finding.notes[0].clone())
+}
+
+#[test]
+fn modes_that_the_same_readings_drive_round_and_round() {
+    let modes = |forth: &str, back: &str| {
+        format!("entry a  mode a {{ halt() 1: {forth} -> b }}  mode b {{ halt() 1: {back} -> a }}")
+    };
+    let shown = oscillates(&modes("x > 5 and after 2 s", "x > 8 and after 1 s")).unwrap();
+    let reading: f64 = shown.trim_start_matches("it goes on with `x` at ").parse().unwrap();
+    assert!(reading > 8.0, "{shown}");
+    assert!(oscillates(&modes("x > 5", "x > 3 and after 1 s")).is_some());
+    // A mode that time alone ends is meant to end, and what completes may never do.
+    assert_eq!(oscillates(&modes("x > 5 and after 2 s", "after 1 s")), None);
+    assert_eq!(oscillates(&modes("x > 5 and after 2 s", "x < 3 and after 1 s")), None);
+    assert_eq!(oscillates(&modes("x > 5", "count(x > 3) >= 1")), None);
+}
+
+#[test]
 fn an_island_of_modes() {
     finds(
         "entry a

@@ -154,7 +154,8 @@ pub(super) fn stay(
 
 /// The path and one more tick, where readings are known for it.
 fn extended(path: &[Moment], dwell: u64, formula: &Formula, tick: &Tick) -> Option<Vec<Moment>> {
-    let readings = tick.readings.clone()?;
+    // What the past must have been for a tick is not shown by readings of that tick alone.
+    let readings = tick.readings.clone().filter(|_| !formula.looks_back())?;
     let done = formula.atoms.iter().enumerate().any(|(bit, atom)| *atom == Atom::Done && tick.truth >> bit & 1 == 1);
     let mut path = path.to_vec();
     path.push(Moment { dwell, done, readings });

@@ -223,8 +223,13 @@ impl Formula {
         Some(values)
     }
 
-    /// The value of every node on the first tick of a mode, once the readings have been the same for long.
-    pub(super) fn settled(&self, truth: u64) -> Vec<bool> {
+    /// Whether something depends on readings of the past.
+    pub(super) fn looks_back(&self) -> bool {
+        self.atoms.iter().any(|atom| matches!(atom, Atom::Past(..) | Atom::Open(_) | Atom::Count(..)))
+    }
+
+    /// The value of every node after so many nanoseconds in a mode, once the readings have been the same for long.
+    pub(super) fn settled(&self, truth: u64, dwell: u64) -> Vec<bool> {
         let mut values = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
             values.push(match node {
@@ -232,7 +237,8 @@ impl Formula {
                 Node::Atom(atom) => match self.atoms[*atom] {
                     Atom::Past(past, of) => past.settled(values[of]),
                     Atom::Count(comparison, _, number) => compare(comparison, Exact::ZERO, number),
-                    Atom::After(_) | Atom::Done => false,
+                    Atom::After(duration) => duration <= dwell,
+                    Atom::Done => false,
                     _ => truth >> atom & 1 == 1,
                 },
                 Node::Not(of) => !values[*of],

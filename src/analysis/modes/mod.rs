@@ -3,6 +3,7 @@
 //! A claim that something never happens holds for all readings and all failures. Only then is there a warning.
 
 mod always_true;
+mod cycles;
 mod dwell;
 mod examined;
 mod facts;
@@ -15,6 +16,7 @@ mod left_at_once;
 mod masked;
 mod never_true;
 mod one_tick;
+mod oscillation;
 mod repeated;
 mod ticks;
 mod timers;
@@ -29,6 +31,7 @@ use crate::base::Id;
 use crate::diag::Diagnostic;
 use crate::ir::{Diagram, Mode, Program, Sense, Transition};
 use examined::{Examined, examine};
+use fusion::Readings;
 use ticks::Scene;
 
 /// A transition with what is known of its mode.
@@ -60,6 +63,15 @@ impl<'a> Subject<'a> {
     fn to(&self) -> String {
         target_name(self.diagram, self.transition())
     }
+}
+
+/// Readings as messages show them.
+fn named_readings(program: &Program, readings: &Readings) -> String {
+    let shown = readings.iter().map(|(sensor, at)| {
+        let sensor = &program.sensors[*sensor];
+        format!("`{}` at {}", sensor.symbol.name, sensor.unit.show(at.to_f64()))
+    });
+    shown.collect::<Vec<_>>().join(", ")
 }
 
 fn target_name(diagram: &Diagram, transition: &Transition) -> String {
@@ -104,6 +116,7 @@ pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Dia
     guards::check(diagram, &modes, findings);
     traps::check(diagram, &modes, findings);
     one_tick::check(&scene, &modes, findings);
+    oscillation::check(&scene, &modes, findings);
 }
 
 /// The modes a mode can lead to, whatever has failed; all that are written where nothing is known of it.

@@ -31,7 +31,7 @@ impl<'a> Scene<'a> {
 pub(super) struct Tick {
     /// A bit for each atom that is true.
     pub(super) truth: u64,
-    /// Readings that give it; `None` where it is not excluded, but not shown either, or depends on the past.
+    /// Readings that give it, apart from the past; `None` where it is not excluded, but not shown either.
     pub(super) readings: Option<Readings>,
 }
 
@@ -50,9 +50,6 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
     if combinations > MOST_TICKS {
         return None;
     }
-    // What the past must have been for a tick is not shown by readings of that tick alone.
-    let looks_back = |atom: &Atom| matches!(atom, Atom::Past(..) | Atom::Open(_) | Atom::Count(..));
-    let is_shown = !formula.atoms.iter().any(looks_back);
     let mut ticks = Vec::new();
     let mut known = HashSet::new();
     let mut place = vec![0; cells.len()];
@@ -64,7 +61,7 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
             for choice in 0..1_u64 << free.len() {
                 let chosen: u64 = free.iter().enumerate().map(|(bit, atom)| (choice >> bit & 1) << atom).sum();
                 if known.insert(truth | chosen) {
-                    ticks.push(Tick { truth: truth | chosen, readings: readings.clone().filter(|_| is_shown) });
+                    ticks.push(Tick { truth: truth | chosen, readings: readings.clone() });
                 }
             }
         }
