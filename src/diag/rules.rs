@@ -116,6 +116,7 @@ rules! {
     ONE_TICK_CYCLE "LM0416" "one-tick-cycle" Warning "modes that follow each other on every tick"
     ISLAND_OF_MODES "LM0417" "island-of-modes" Warning "modes that lead only to each other"
     ALWAYS_INHIBITED "LM0418" "always-inhibited" Warning "a transition that holds only while its target is inhibited"
+    SWAPPING_MODES "LM0419" "swapping-modes" Warning "two modes that noise alone drives to and fro"
     TIMER_RESTARTED "LM0420" "timer-restarted" Warning "a time that `again` always restarts before it ends"
     OSCILLATION "LM0421" "oscillation" Info "modes that the same readings drive round and round"
 

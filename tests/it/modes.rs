@@ -270,6 +270,44 @@ fn modes_that_the_same_readings_drive_round_and_round() {
 }
 
 #[test]
+fn modes_that_noise_drives_to_and_fro() {
+    let found = |forth: &str, back: &str| {
+        let text = format!(
+            "import n
+             robot cart {{
+                 sensor x: 1 in 0 .. 10 fails 3 noise 0.1
+                 sensor y: 1 in 0 .. 10 fails 3
+                 action halt()
+             }}
+             behavior b on cart {{
+                 sense n(x)
+                 flag near = x < 5
+                 entry a
+                 mode a {{ halt() 1: {forth} -> b 2: near and full -> b }}
+                 mode b {{ halt() 1: {back} -> a }}
+             }}"
+        );
+        let analysis = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
+        analysis.findings.iter().filter(|finding| finding.rule.code == "LM0419").count()
+    };
+    for (forth, back) in
+        [("near", "not near"), ("x <= 3", "3 < x"), ("full", "not full"), ("near or full", "not near and not full")]
+    {
+        assert_eq!(found(forth, back), 1, "{forth}, {back}");
+    }
+    for (forth, back) in [
+        ("y < 5", "y >= 5"),
+        ("x < y", "x >= y"),
+        ("x < 4", "x > 5"),
+        ("near", "held(not near, 1 s)"),
+        ("near", "not near and after 1 s"),
+        ("full", "empty"),
+    ] {
+        assert_eq!(found(forth, back), 0, "{forth}, {back}");
+    }
+}
+
+#[test]
 fn an_island_of_modes() {
     finds(
         "entry a

@@ -18,6 +18,7 @@ mod never_true;
 mod one_tick;
 mod oscillation;
 mod repeated;
+mod swapping;
 mod ticks;
 mod timers;
 mod traps;
@@ -117,6 +118,7 @@ pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Dia
     traps::check(diagram, &modes, findings);
     one_tick::check(&scene, &modes, findings);
     oscillation::check(&scene, &modes, findings);
+    swapping::check(&scene, &modes, findings);
 }
 
 /// The modes a mode can lead to, whatever has failed; all that are written where nothing is known of it.
