@@ -6,6 +6,7 @@
 //! Crates: batsat, petgraph
 
 mod breakpoints;
+mod commands;
 mod coverage;
 mod durations;
 mod exits;
@@ -37,6 +38,7 @@ pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) 
         priorities::check(diagram, &mut findings);
         exits::check(diagram, &mut findings);
         requirements::check(diagram, program, &mut findings);
+        commands::check(diagram, program, &mut findings);
         reachability::check(diagram, &mut findings);
         modes::check(program, diagram, &mut findings);
     }

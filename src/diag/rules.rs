@@ -119,6 +119,7 @@ rules! {
     SWAPPING_MODES "LM0419" "swapping-modes" Warning "two modes that noise alone drives to and fro"
     TIMER_RESTARTED "LM0420" "timer-restarted" Warning "a time that `again` always restarts before it ends"
     OSCILLATION "LM0421" "oscillation" Info "modes that the same readings drive round and round"
+    COMMAND_OVERRIDDEN "LM0422" "command-overridden" Warning "a command that another overrides on the same tick"
 
     BREAKPOINTS_OUT_OF_ORDER "LM0501" "breakpoints-out-of-order" Error "corners of a membership function that do not ascend"
     TERM_OUTSIDE_RANGE "LM0502" "term-outside-range" Warning "a term that is zero over the whole range of its variable"

@@ -9,7 +9,6 @@ behavior wander on j5 {
     }
     mode turn_away {
         on enter { turn(90 deg) }
-        halt()
         1: done or after 9 s -> go //~ error LM0313
     }
 }

@@ -18,14 +18,13 @@ behavior careful on j5 {
         4: count(rising(pressed) or heavy_obstacle) == 3    -> again
     }
     mode push requires contact_force, left_wheel_acceleration else back_up {
-        on enter { halt() }
         arc(26 cm/s, radius: -1 m)
         1: (heavy_obstacle or 200 N < contact_force) and after 1 s -> back_up
         2: left_wheel_acceleration != right_wheel_acceleration     -> forward
-        on exit { halt() drive(0 m/s) }
+        on exit { drive(0 m/s) }
     }
     mode back_up {
-        drive(-20 cm/s)
+        on enter { drive(-20 cm/s) }
         1: after 1.5 s -> turn_away
     }
     mode turn_away {
