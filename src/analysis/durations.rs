@@ -49,7 +49,7 @@ fn times(program: &Program, diagram: &Diagram) -> BTreeSet<(Span, u64)> {
 }
 
 /// A time for people, in the largest unit of which it has one: `1.5 s`, `20 ms`.
-fn shown(nanoseconds: u64) -> String {
+pub(super) fn shown(nanoseconds: u64) -> String {
     let seconds = nanoseconds as f64 / 1e9;
     let unit = ["s", "ms", "us"].into_iter().filter_map(Unit::parse).find(|unit| seconds >= unit.scale.to_f64());
     unit.map_or_else(|| format!("{nanoseconds} ns"), |unit| unit.show(seconds))

@@ -10,6 +10,7 @@ mod commands;
 mod coverage;
 mod durations;
 mod exits;
+mod expectations;
 mod fault_table;
 pub mod modes;
 pub mod network;
@@ -29,6 +30,7 @@ use crate::ir::{Program, Symbol};
 pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     durations::check(program, &matters, &mut findings);
+    expectations::check(program, &matters, &mut findings);
     let matters = |symbol: &Symbol| matters(symbol.span.file);
     for variable in program.variables.values().filter(|variable| matters(&variable.symbol)) {
         breakpoints::check(variable, &mut findings);

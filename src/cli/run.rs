@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 use super::files;
 use super::quantity::quantity;
 use super::terminal::{Terminal, exit_code};
-use crate::base::{FileId, Unit};
+use crate::base::{FileId, Span, Unit};
 use crate::diag::{self, Diagnostic, rules};
 use crate::driver::Analysis;
 use crate::ir::{self, Window};
@@ -130,7 +130,7 @@ pub(super) fn outcome(run: &sim::Run) -> report::Outcome<'_> {
 fn no_scenario(analysis: &Analysis, file: &str) -> Diagnostic {
     let root = analysis.roots.first().copied().unwrap_or_default();
     let message = format!("`{file}` holds no scenario to run");
-    Diagnostic::new(&rules::NO_SCENARIO, crate::base::Span::new(root, 0, 0), message)
+    Diagnostic::new(&rules::NO_SCENARIO, Span::new(root, 0, 0), message)
         .help("write `scenario name runs behavior { duration 10 s }`, or run a file that has one")
 }
 
@@ -161,5 +161,5 @@ fn parse_fault(
     };
     let seconds = Unit::parse("s").and_then(|unit| quantity(time, &unit)).ok_or_else(form)?;
     let from = crate::base::Quantity::new(seconds, crate::base::Dimension::TIME).to_nanoseconds().ok_or_else(form)?;
-    Ok(ir::Fault { sensor, reading, window: Window { from, to: u64::MAX } })
+    Ok(ir::Fault { sensor, reading, window: Window { from, to: u64::MAX }, span: Span::default() })
 }

@@ -97,6 +97,8 @@ pub struct Fault {
     pub reading: FaultReading,
     /// When, in nanoseconds of the run.
     pub window: Window,
+    /// Where it stands; nowhere for one that was asked for beside the scenario.
+    pub span: Span,
 }
 
 /// What a faulty sensor reads.

@@ -207,9 +207,9 @@ impl<'a> Lower<'a> {
     }
 
     fn fault(&mut self, tree: &ast::ScenarioItem, robot: Id<ir::Robot>) -> Option<ir::Fault> {
-        let (reference, reading, window_tree) = match tree {
-            ast::ScenarioItem::Fault { sensor, reading, window, .. } => (sensor, Some(reading), window),
-            ast::ScenarioItem::Fail { sensor, window, .. } => (sensor, None, window),
+        let (reference, reading, window_tree, span) = match tree {
+            ast::ScenarioItem::Fault { sensor, reading, window, span } => (sensor, Some(reading), window, *span),
+            ast::ScenarioItem::Fail { sensor, window, span } => (sensor, None, window, *span),
             _ => return None,
         };
         let [name] = reference.path.segments.as_slice() else {
@@ -244,7 +244,7 @@ impl<'a> Lower<'a> {
             self.report(empty_range(span));
             return None;
         }
-        Some(ir::Fault { sensor, reading, window })
+        Some(ir::Fault { sensor, reading, window, span })
     }
 
     fn expectations(

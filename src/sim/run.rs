@@ -419,7 +419,12 @@ mod tests {
             expectation("never heavy", ExpectationKind::Never(Id::new(1), Window::WHOLE)),
         ];
         let scenario = ir::Scenario { expectations, ..manipulation() };
-        let fault = ir::Fault { sensor: Id::new(2), reading: FaultReading::Stuck(0.0), window: Window::WHOLE };
+        let fault = ir::Fault {
+            sensor: Id::new(2),
+            reading: FaultReading::Stuck(0.0),
+            window: Window::WHOLE,
+            span: Span::default(),
+        };
         let quiet = program(ir::DifferentialDrive { tracking_noise: 0.0, ..J5 });
         let verdicts = |faults| {
             let verdicts = run(&quiet, &plan(), &scenario, &RunOptions { seed: None, faults }).unwrap().verdicts;

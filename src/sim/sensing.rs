@@ -91,14 +91,14 @@ fn measure(body: &DifferentialDrive<'_>, source: SensorSource) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::Id;
+    use crate::base::{Id, Span};
     use crate::ir::Window;
     use crate::sim::fixture::{J5, program};
 
     const RANGES: [(f64, f64); 3] = [(-4.0, 4.0), (-4.0, 4.0), (0.0, 400.0)];
 
     fn fault(sensor: u32, reading: FaultReading, from: u64, to: u64) -> ir::Fault {
-        ir::Fault { sensor: Id::new(sensor), reading, window: Window { from, to } }
+        ir::Fault { sensor: Id::new(sensor), reading, window: Window { from, to }, span: Span::default() }
     }
 
     /// What a resting robot's sensors read at 0, 1, 2, ... ns.

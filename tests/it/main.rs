@@ -22,5 +22,6 @@ mod sessions;
 mod support;
 mod syntax;
 mod tick;
+mod trials;
 mod unused;
 mod watch;

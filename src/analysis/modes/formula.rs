@@ -92,7 +92,11 @@ impl Formula {
         diagram: &Diagram,
         transitions: impl IntoIterator<Item = &'a Transition>,
     ) -> Option<Self> {
-        let roots: Vec<_> = transitions.into_iter().map(|transition| transition.condition).collect();
+        Self::of(program, diagram, transitions.into_iter().map(|transition| transition.condition).collect())
+    }
+
+    /// Some conditions, as `new`.
+    pub(super) fn of(program: &Program, diagram: &Diagram, roots: Vec<Id<Expr>>) -> Option<Self> {
         let mut formula = Self::default();
         let mut flags = HashMap::new();
         for flag in flags_of(program, diagram, &roots) {

@@ -17,6 +17,7 @@ mod masked;
 mod never_true;
 mod one_tick;
 mod oscillation;
+mod outcomes;
 mod repeated;
 mod swapping;
 mod ticks;
@@ -27,6 +28,7 @@ pub use dwell::{Moment, Way};
 pub use facts::{Facts, ModeFacts, Step, fault_table};
 pub use faults::{Fault, FaultSet};
 pub(super) use formula::parts;
+pub(super) use outcomes::{Conditions, Outcomes};
 
 use crate::base::Id;
 use crate::diag::Diagnostic;

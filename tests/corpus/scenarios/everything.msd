@@ -34,5 +34,5 @@ scenario full runs obstacle_manipulation on j5 in hallway {
 scenario varied extends full {
     seed 8
     place box light mass 40 kg size (0.4 m, 0.6 m) at 1 m ahead
-    expect modes init
+    expect modes init, forward
 }

@@ -30,6 +30,6 @@ behavior wander on j5 {
 scenario short_drive runs wander {
     duration 10 s
     fault contact_force = 0 N from 5 s to 2 s //~ error LM0308
-    expect modes go
+    expect modes go, go
     expect go -> go within 8 s .. 4 s //~ error LM0308
 }
