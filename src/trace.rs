@@ -1,7 +1,9 @@
-//! The record of a run: what was read, decided and done on every tick.
+//! The record of a run: what was read, decided and done on every tick; and what many runs went through.
 //!
-//! Imports: –
+//! Imports: base
 //! Crates: –
+
+use crate::base::Span;
 
 /// A recorded run. All columns have one value for each tick.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -136,6 +138,52 @@ impl Trace {
 /// What stands behind the last dot.
 fn short(column: &Column) -> &str {
     column.name.rsplit('.').next().unwrap_or_default()
+}
+
+/// What some runs went through, and what none of them did.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Coverage {
+    /// The behaviors, in the order of their declarations.
+    pub behaviors: Vec<BehaviorCoverage>,
+    /// The networks, in the order of their declarations.
+    pub networks: Vec<NetworkCoverage>,
+}
+
+/// What runs went through of a behavior.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BehaviorCoverage {
+    /// Its name.
+    pub name: String,
+    /// How many of the runs were of it.
+    pub scenarios: usize,
+    /// Its modes: covered if entered.
+    pub modes: Vec<Part>,
+    /// Its transitions, and the ways out of modes whose required sensors fail: covered if taken.
+    pub transitions: Vec<Part>,
+}
+
+/// What runs went through of a network.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NetworkCoverage {
+    /// Its name.
+    pub name: String,
+    /// How many of the runs sensed it.
+    pub scenarios: usize,
+    /// Its rules: covered if they gave their side its strength on some tick, above 0.
+    pub rules: Vec<Part>,
+}
+
+/// Something that runs may go through.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Part {
+    /// The mode it is or leaves, or the event it speaks for or against.
+    pub of: String,
+    /// As written, on one line.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+    /// Whether some run went through it.
+    pub covered: bool,
 }
 
 /// Nanoseconds as the nearest number of seconds.

@@ -14,7 +14,8 @@ use crate::{plan, report};
 #[command(after_help = "\
 Examples:
   lmslc test examples
-  lmslc test examples --filter mass --format json")]
+  lmslc test examples --filter mass --format json
+  lmslc test examples/j5/manipulation.msd --coverage")]
 pub(super) struct Test {
     /// Files, folders, or `-` for standard input
     #[arg(required = true)]
@@ -22,6 +23,9 @@ pub(super) struct Test {
     /// Run only scenarios whose name contains this
     #[arg(long, value_name = "TEXT", default_value = "")]
     filter: String,
+    /// Also list the modes, transitions and rules that no scenario went through
+    #[arg(long)]
+    coverage: bool,
     /// How to report
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     format: Format,
@@ -65,6 +69,16 @@ impl Test {
                     terminal.fail(&format!("{path}: `{}` cannot be run: {error}", scenario.symbol.name), None);
                 }
             }
+        }
+        if self.coverage {
+            let runs =
+                chosen.iter().copied().zip(&runs).filter_map(|(scenario, run)| Some((scenario, run.as_ref().ok()?)));
+            let runs: Vec<_> = runs.collect();
+            let coverage = sim::coverage(&analysis.program, &analysis.sources, &analysis.roots, &runs);
+            Terminal::print(&match self.format {
+                Format::Human => report::coverage(&coverage, &analysis.sources, terminal.color_out),
+                Format::Json => report::coverage_json(&coverage, &analysis.sources),
+            });
         }
         terminal.note(&format!("{passed} passed, {failed} failed"));
         Ok(if failed == 0 { super::CLEAN } else { super::FINDINGS })

@@ -30,18 +30,19 @@ pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot
     let input_of = |sensor| platform.input(sensor);
     let mut builder = Builder::new(program);
 
-    let mut events = Vec::new();
+    let (mut events, mut strengths) = (Vec::new(), Vec::new());
     let mut event_flags: Vec<Vec<Bool>> = Vec::new();
     for sense in &diagram.senses {
         let readings: Vec<Real> = sense.inputs.iter().map(|&sensor| builder.read(platform.input(sensor))).collect();
         let slots = builder.events(sense.network, &readings);
         event_flags.push(slots.iter().map(|slots| slots.flag).collect());
         let declared = &program.networks[sense.network].events;
-        events.extend(declared.iter().zip(slots).map(|(event, slots)| {
-            let EventSlots { contributor, detractor, flag, .. } = slots;
+        for (event, slots) in declared.iter().zip(slots) {
+            let EventSlots { contributor, detractor, flag, strengths: of_rules } = slots;
             let name = format!("{}.{}", sense.symbol.name, event.symbol.name);
-            Event { name, contributor, detractor, flag }
-        }));
+            events.push(Event { name, contributor, detractor, flag });
+            strengths.push(of_rules);
+        }
     }
     let mut flags: Vec<Bool> = Vec::new();
     for flag in diagram.flags.values() {
@@ -76,6 +77,7 @@ pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot
         fuse,
         watch,
         events,
+        strengths,
         flags: diagram
             .flags
             .values()

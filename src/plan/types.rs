@@ -333,6 +333,8 @@ pub struct Plan {
     pub watch: Steps,
     /// The events of all networks, in order.
     pub events: Vec<Event>,
+    /// The strength of every contributor rule and every detractor rule, for each event.
+    pub strengths: Vec<(Vec<Real>, Vec<Real>)>,
     /// The named flags, in order.
     pub flags: Vec<Flag>,
     /// The watched conditions, in the order they were asked for.

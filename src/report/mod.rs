@@ -4,6 +4,7 @@
 //! Imports: analysis, base, diag, interp, ir, kernel, plan, trace
 //! Crates: codespan-reporting, csv, serde, serde_json
 
+mod coverage;
 mod degrees;
 mod eval;
 mod faults;
@@ -22,6 +23,7 @@ mod trace;
 #[cfg(test)]
 mod samples;
 
+pub use coverage::{coverage, coverage_json};
 pub use degrees::eval;
 pub use eval::{Evaluated, eval_json};
 pub use faults::{faults, faults_html, faults_json, faults_markdown};

@@ -181,6 +181,7 @@ pub(super) fn plan() -> Plan {
         fuse,
         watch,
         events: vec![plan::Event { name: "hit".to_owned(), contributor: 0, detractor: 1, flag: 0 }],
+        strengths: vec![(vec![0], vec![1])],
         flags: vec![plan::Flag { name: "heavy".to_owned(), value: 1 }],
         watched: vec![3, 1],
         modes,

@@ -3,6 +3,7 @@
 //! Imports: base, diag, interp, ir, plan, trace
 //! Crates: nalgebra, rand_distr, rand_pcg
 
+mod coverage;
 mod differential_drive;
 mod expect;
 #[cfg(test)]
@@ -14,5 +15,6 @@ mod run;
 mod sensing;
 mod world;
 
+pub use coverage::coverage;
 pub use expect::{Verdict, judge};
 pub use run::{Run, RunError, RunOptions, placements, run};

@@ -14,9 +14,14 @@ pub(super) struct Recorder<'a> {
     trace: Trace,
     /// For each watched condition, whether it held, one for each tick.
     held: Vec<Vec<bool>>,
+    /// For each event, whether each of its contributor and detractor rules was the strongest of its side on some tick.
+    decided: Vec<Decided>,
     /// The mode that acted on the tick before.
     mode: Option<u32>,
 }
+
+/// For each contributor rule and each detractor rule of an event, whether it gave its side its strength on some tick.
+pub(super) type Decided = (Vec<bool>, Vec<bool>);
 
 impl<'a> Recorder<'a> {
     /// An empty trace with room for `ticks` ticks.
@@ -63,7 +68,10 @@ impl<'a> Recorder<'a> {
             walls: scenario.walls.iter().map(|wall| wall.corners.clone()).collect(),
             goal: scenario.goal,
         };
-        Self { plan, trace, held: vec![Vec::with_capacity(ticks); plan.watched.len()], mode: None }
+        let decided =
+            plan.strengths.iter().map(|(for_it, against)| (vec![false; for_it.len()], vec![false; against.len()]));
+        let held = vec![Vec::with_capacity(ticks); plan.watched.len()];
+        Self { plan, trace, held, decided: decided.collect(), mode: None }
     }
 
     /// Writes down one tick. `dwell` is how long the mode that was active before it had been active by now, ns.
@@ -83,6 +91,7 @@ impl<'a> Recorder<'a> {
         for (held, &watched) in self.held.iter_mut().zip(&self.plan.watched) {
             held.push(machine.bool(watched));
         }
+        self.decide(machine);
         let plan = self.plan;
         let truth = |bool| f64::from(u8::from(machine.bool(bool)));
         let sensors = readings.iter().map(|reading| reading.value);
@@ -96,6 +105,19 @@ impl<'a> Recorder<'a> {
         let poses = std::iter::once(robot).chain(boxes).flat_map(|(middle, heading)| [middle.x, middle.y, heading]);
         for (column, value) in self.trace.columns.iter_mut().zip(sensors.chain(events).chain(flags).chain(poses)) {
             column.values.push(value);
+        }
+    }
+
+    fn decide(&mut self, machine: &Machine<'_>) {
+        for ((event, strengths), decided) in self.plan.events.iter().zip(&self.plan.strengths).zip(&mut self.decided) {
+            let side = |of: plan::Real, rules: &[plan::Real], decided: &mut [bool]| {
+                let strength = machine.real(of);
+                for (rule, decided) in rules.iter().zip(decided).filter(|_| strength > 0.0) {
+                    *decided |= machine.real(*rule) == strength;
+                }
+            };
+            side(event.contributor, &strengths.0, &mut decided.0);
+            side(event.detractor, &strengths.1, &mut decided.1);
         }
     }
 
@@ -117,9 +139,9 @@ impl<'a> Recorder<'a> {
         self.trace.changes.push(ModeChange { time, from: self.mode, to, priority, condition, evidence });
     }
 
-    /// The trace, and for each watched condition whether it held on each tick.
-    pub(super) fn finish(self) -> (Trace, Vec<Vec<bool>>) {
-        (self.trace, self.held)
+    /// The trace, for each watched condition whether it held on each tick, and which rules decided.
+    pub(super) fn finish(self) -> (Trace, Vec<Vec<bool>>, Vec<Decided>) {
+        (self.trace, self.held, self.decided)
     }
 }
 

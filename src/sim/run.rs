@@ -39,6 +39,9 @@ pub struct Run {
     pub trace: Trace,
     /// What became of the scenario's expectations, in order.
     pub verdicts: Vec<Verdict>,
+    /// For each event of the plan, whether each of its contributor rules and each of its detractor rules gave its side
+    /// its strength on some tick, above 0.
+    pub decided: Vec<(Vec<bool>, Vec<bool>)>,
 }
 
 /// Why a scenario cannot be run.
@@ -110,9 +113,9 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
             driver.body.advance(&mut world, tick as f64 / 1e9, substeps);
         }
     }
-    let (trace, held) = recorder.finish();
+    let (trace, held, decided) = recorder.finish();
     let verdicts = judge(scenario, &trace, &held);
-    Ok(Run { trace, verdicts })
+    Ok(Run { trace, verdicts, decided })
 }
 
 /// How many ticks a scenario has.

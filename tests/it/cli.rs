@@ -533,6 +533,49 @@ fn test_runs_every_scenario_of_the_files_it_is_given() {
     assert_eq!(lines.lines()[1], project.run(&["run", "trials.msd", "wrong", "--format", "json"]).lines()[0]);
 }
 
+#[test]
+fn test_lists_what_no_scenario_went_through() {
+    let project = Project::new(&[("wander.msd", CLEAN), ("trials.msd", TRIALS)]);
+    let covered = |arguments: &[&str]| project.run(&[&["test", "--coverage"], arguments].concat());
+    let short = covered(&["trials.msd", "--filter", "short"]);
+    assert_eq!(
+        short.out,
+        "ok     trials.msd: short (1 expectation)\n\
+         coverage of wander: 2 of 2 modes, 1 of 2 transitions in 1 scenario\n  \
+           never taken    rest 1: after 1 s -> go  wander.msd:12\n"
+    );
+    let both = covered(&["trials.msd", "--filter", "o"]);
+    assert!(
+        both.out.ends_with("coverage of wander: 2 of 2 modes, 2 of 2 transitions in 3 scenarios\n"),
+        "{}",
+        both.out
+    );
+    let lines = covered(&["trials.msd", "--filter", "short", "--format", "json"]).lines();
+    let wander = &lines[1]["coverage"]["behaviors"][0];
+    assert_eq!((&wander["name"], &wander["scenarios"]), (&"wander".into(), &1.into()));
+    assert_eq!((&wander["modes"]["total"], &wander["modes"]["covered"]), (&2.into(), &2.into()));
+    let missed = serde_json::json!({ "of": "rest", "text": "1: after 1 s -> go", "file": "wander.msd", "line": 12 });
+    assert_eq!(wander["transitions"]["missed"], serde_json::json!([missed]));
+    project.write("idle.msd", CLEAN.replace("wander", "idle").as_bytes());
+    let idle = covered(&["trials.msd", "idle.msd", "--filter", "short"]);
+    assert!(idle.out.contains("coverage of idle: no scenario runs it\n"), "{}", idle.out);
+}
+
+#[test]
+fn coverage_counts_the_rules_that_decide() {
+    let folder = root();
+    let example = folder.join("examples/j5/both_faulted.msd").to_str().unwrap().to_owned();
+    let project = Project::new(&[]);
+    let lines = project.run(&["test", "--coverage", "--format", "json", &example]).lines();
+    let network = &lines[1]["coverage"]["networks"][0];
+    // With all readings at 0 one rule speaks against a collision, and one against a heavy one (both_faulted.msd).
+    assert_eq!((&network["name"], &network["rules"]["total"]), (&"obstacle_id".into(), &12.into()));
+    assert_eq!(network["rules"]["covered"], 2);
+    let behavior = &lines[1]["coverage"]["behaviors"][0];
+    let missed = behavior["transitions"]["missed"].as_array().unwrap();
+    assert!(missed.iter().any(|missed| missed["text"] == "else -> stop"), "{missed:?}");
+}
+
 // eval
 
 #[test]
