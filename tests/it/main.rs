@@ -6,6 +6,7 @@ mod architecture;
 mod ci;
 mod cli;
 mod corpus;
+mod defects;
 mod docs;
 mod examples;
 mod fault_table;
