@@ -149,3 +149,25 @@ fn a_sensor_stuck_at_an_unknown_reading_keeps_it() {
     assert_eq!(exits, [vec![false, true, true], vec![false, true], vec![false]]);
     assert_eq!(stuck.traps.len(), 1, "`d` is not left while `x` stands between 3 and 5");
 }
+
+#[test]
+fn a_failed_sensor_stays_so() {
+    let text = "
+        robot cart {
+            sensor x: 1 in 0 .. 10 fails 3
+            optional sensor y: 1 in 0 .. 10 fails 7
+            action halt()
+        }
+        behavior b on cart {
+            entry end
+            mode a requires y else lost { halt()  1: x > 5 -> late }
+            mode lost { halt()  1: y >= 5 and not after 1 s -> late  2: after 1 s -> late }
+            mode late { halt()  1: after 1 s and y >= 5 -> end  2: y >= 5 -> end }
+            mode end { halt()  1: after 1 s -> a }
+        }";
+    let (_, _, table) = named(analyze_texts(&[("b.msd", text)]), "b", 1);
+    let reported = table.iter().find(|facts| facts.faults == [(Id::new(1), Fault::Reported)]).unwrap();
+    let live = |mode: usize| reported.modes[mode].exits.iter().map(Option::is_some).collect::<Vec<_>>();
+    assert_eq!(live(1), [true, false], "`lost` is entered with `y` failed, which reads 7 from then on");
+    assert_eq!(live(2), [true, true], "`y` may read less for a second, and then fail");
+}

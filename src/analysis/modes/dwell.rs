@@ -20,6 +20,8 @@ pub(super) struct Stay {
     pub(super) lasts: bool,
     /// Where the machine goes at once because a required sensor has failed; no exit is then tried.
     pub(super) lost: Option<Id<Mode>>,
+    /// Where it can be before a tick.
+    pub(super) states: BTreeSet<State>,
 }
 
 /// What can happen to a transition.
@@ -63,7 +65,7 @@ const MOST_STATES: usize = 1 << 10;
 const MOST_EDGES: i128 = 64;
 
 /// A stretch of a mode: the thresholds passed, and the edges counted.
-type State = (usize, Vec<u32>);
+pub(super) type State = (usize, Vec<u32>);
 
 /// A mode under one set of faults.
 struct Case {
@@ -85,21 +87,21 @@ impl Case {
     }
 }
 
-/// What can happen in a mode under each of the sets `now`, where under these and those of `before` the machine may
-/// have stayed in it until then: a sensor may fail, or recover, on any tick. Ticks are shown for the first set alone.
-/// `None` where there are too many cases to look into.
+/// What can happen in a mode on ticks that are each under one of these sets of faults, from its entry on and from where
+/// it may have been `before` the last sensor failed. Ticks are shown from the entry on, for the first set alone. `None`
+/// where there are too many cases to look into.
 pub(super) fn stay(
     scene: &Scene<'_>,
     mode: &Mode,
     formula: &Formula,
-    now: &[FaultSet],
-    before: &[FaultSet],
+    sets: &[FaultSet],
+    before: &BTreeSet<State>,
 ) -> Option<Stay> {
     let clock = Clock::new(formula)?;
-    let sets = now.iter().chain(before.iter().filter(|set| !now.contains(set)));
-    let cases: Vec<_> = sets.map(|faults| Case::new(scene, mode, formula, faults)).collect::<Option<_>>()?;
+    let cases: Vec<_> = sets.iter().map(|faults| Case::new(scene, mode, formula, faults)).collect::<Option<_>>()?;
     let lost = cases.first().and_then(|case| case.lost);
-    let mut stay = Stay { exits: vec![Exit::default(); mode.transitions.len()], lasts: false, lost };
+    let exits = vec![Exit::default(); mode.transitions.len()];
+    let mut stay = Stay { exits, lasts: false, lost, states: BTreeSet::new() };
 
     let start = (0, vec![0; clock.counters.len()]);
     // The count of the first tick may already be 1: the edge on the tick of entry is before, the next one is not.
@@ -107,8 +109,18 @@ pub(super) fn stay(
     let firsts = waiting.len();
     let mut found: BTreeMap<State, Option<Vec<Moment>>> = waiting.iter().map(|state| (state.clone(), None)).collect();
     found.insert(start, Some(Vec::new()));
+    let mut before = before.iter();
     let mut next = 0;
-    while let Some(state) = waiting.get(next).cloned() {
+    loop {
+        // What is shown comes first, so that it is found first.
+        let Some(state) = waiting.get(next).cloned() else {
+            let Some(state) = before.next() else { break };
+            if !found.contains_key(state) {
+                found.insert(state.clone(), None);
+                waiting.push(state.clone());
+            }
+            continue;
+        };
         let path = found.get(&state).cloned().flatten();
         let held = clock.truth(formula, &state);
         let mut stays: Option<Option<Vec<Moment>>> = None;
@@ -117,9 +129,7 @@ pub(super) fn stay(
             for tick in &case.ticks {
                 let Some(values) = formula.values(tick.truth | held) else { continue };
                 let extended = || extended(path?, clock.starts(state.0), formula, tick);
-                if position < now.len() {
-                    stay.note(formula, &values, &case.open, || extended().map_or(Way::Open, Way::Shown));
-                }
+                stay.note(formula, &values, &case.open, || extended().map_or(Way::Open, Way::Shown));
                 let taken = formula.roots.iter().zip(&case.open).any(|(root, open)| values[*root] && *open);
                 if !taken && !matches!(stays, Some(Some(_))) {
                     stays = Some(extended());
@@ -149,6 +159,7 @@ pub(super) fn stay(
             }
         }
     }
+    stay.states = found.into_keys().collect();
     Some(stay)
 }
 

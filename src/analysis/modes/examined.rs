@@ -26,7 +26,7 @@ pub(super) fn examine(scene: &Scene<'_>, mode: &Mode) -> Option<Examined> {
     }
     let formula = Formula::new(scene.program, scene.diagram, &mode.transitions)?;
     let cases = fault_sets(scene, mode, &formula)?;
-    let stay = stay(scene, mode, &formula, &cases, &[])?;
+    let stay = stay(scene, mode, &formula, &cases, &BTreeSet::new())?;
     Some(Examined { formula, stay })
 }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
-use super::dwell::{Moment, Stay, Way, stay};
+use super::dwell::{Moment, State, Stay, Way, stay};
 use super::examined::concerning;
 use super::faults::{self, Fault, FaultSet, fails_of_variables};
 use super::formula::{Atom, Formula, Operand};
@@ -12,7 +12,7 @@ use crate::analysis::reachability::Graph;
 use crate::base::{Exact, Id};
 use crate::ir::{Diagram, FailReading, Mode, Program, Sensor};
 
-/// What a diagram can do under some faults, which may strike one after another while it runs.
+/// What a diagram can do under some faults, which may strike one after another while it runs, and stay.
 #[derive(Debug, Clone)]
 pub struct Facts {
     /// The failed sensors.
@@ -60,7 +60,8 @@ pub fn fault_table(program: &Program, diagram: Id<Diagram>, up_to: usize) -> Vec
         let before: Vec<_> =
             (0..faults.len()).filter_map(|without| known.get(&except(&faults, without))).cloned().collect();
         let reached = Rc::new(table.reached(entry, &faults, &before));
-        rows.push(table.facts(&reached));
+        let healthy = known.get(&FaultSet::new()).unwrap_or(&reached);
+        rows.push(facts(scene.diagram, &reached, healthy));
         known.insert(faults, reached);
     }
     rows
@@ -70,20 +71,12 @@ fn except(faults: &FaultSet, without: usize) -> FaultSet {
     faults.iter().enumerate().filter(|(index, _)| *index != without).map(|(_, fault)| *fault).collect()
 }
 
-/// Every set of some of these faults.
-fn subsets(faults: &FaultSet) -> Vec<FaultSet> {
-    let mut sets = vec![FaultSet::new()];
-    for fault in faults {
-        let with: Vec<_> = sets.iter().map(|set| [set.as_slice(), &[*fault]].concat()).collect();
-        sets.extend(with);
-    }
-    sets
-}
-
 /// The modes that are reached under some faults, and how.
 struct Reached {
     faults: FaultSet,
     modes: BTreeMap<Id<Mode>, Arrival>,
+    /// What can happen in each mode, by its id, once it is reached; `None` where that has too many cases.
+    stays: Vec<Option<Rc<Stay>>>,
 }
 
 enum Arrival {
@@ -120,8 +113,11 @@ impl Reached {
 struct Table<'s, 'a> {
     scene: &'s Scene<'a>,
     formulas: Vec<Option<(Formula, BTreeSet<Id<Sensor>>)>>,
-    stays: HashMap<(Id<Mode>, FaultSet), Rc<Option<Stay>>>,
+    stays: HashMap<Visit, Option<Rc<Stay>>>,
 }
+
+/// A mode, what has failed, and where the machine may have been in it before the last failure.
+type Visit = (Id<Mode>, FaultSet, BTreeSet<State>);
 
 impl<'s, 'a> Table<'s, 'a> {
     fn new(scene: &'s Scene<'a>) -> Self {
@@ -134,35 +130,24 @@ impl<'s, 'a> Table<'s, 'a> {
     }
 
     /// What can happen in a mode; only the faults that concern it count.
-    fn stay(&mut self, mode: Id<Mode>, faults: &FaultSet) -> Rc<Option<Stay>> {
-        let Some((formula, sensors)) = &self.formulas[mode.index()] else { return Rc::new(None) };
-        let faults: FaultSet = faults.iter().filter(|(sensor, _)| sensors.contains(sensor)).copied().collect();
-        let known = self.stays.entry((mode, faults.clone()));
-        let scene = self.scene;
-        let mode = &scene.diagram.modes[mode];
-        let stay = known
-            .or_insert_with(|| Rc::new(stay(scene, mode, formula, std::slice::from_ref(&faults), &subsets(&faults))));
-        Rc::clone(stay)
-    }
-
-    /// Where a mode can lead, and how.
-    fn ways(&mut self, id: Id<Mode>, faults: &FaultSet) -> Vec<(Id<Mode>, Way)> {
-        let mode = &self.scene.diagram.modes[id];
-        match self.stay(id, faults).as_ref() {
-            None => mode.transitions.iter().filter_map(|exit| Some((exit.target?, Way::Open))).collect(),
-            Some(Stay { lost: Some(otherwise), .. }) => {
-                let moment = Moment { dwell: 0, done: false, readings: Vec::new() };
-                vec![(*otherwise, Way::Shown(vec![moment]))]
-            }
-            Some(stay) => {
-                let exits = mode.transitions.iter().zip(&stay.exits);
-                exits.filter_map(|(transition, exit)| Some((transition.target?, exit.taken.clone()?))).collect()
-            }
+    fn stay(&mut self, mode: Id<Mode>, faults: &FaultSet, before: &[Rc<Reached>]) -> Option<Rc<Stay>> {
+        let (formula, sensors) = self.formulas[mode.index()].as_ref()?;
+        let mut states = BTreeSet::new();
+        for earlier in before.iter().filter(|earlier| earlier.modes.contains_key(&mode)) {
+            states.extend(earlier.stays[mode.index()].as_ref()?.states.iter().cloned());
         }
+        let faults: FaultSet = faults.iter().filter(|(sensor, _)| sensors.contains(sensor)).copied().collect();
+        let scene = self.scene;
+        let new = |(mode, faults, states): &Visit| {
+            stay(scene, &scene.diagram.modes[*mode], formula, std::slice::from_ref(faults), states).map(Rc::new)
+        };
+        self.stays.entry((mode, faults, states)).or_insert_with_key(new).clone()
     }
 
     /// Every mode that is reached under these faults, from the entry or from where the machine was before the last one.
     fn reached(&mut self, entry: Id<Mode>, faults: &FaultSet, before: &[Rc<Reached>]) -> Reached {
+        let all = self.scene.diagram.modes.ids();
+        let stays: Vec<_> = all.map(|mode| self.stay(mode, faults, before)).collect();
         let mut modes = BTreeMap::from([(entry, Arrival::Entry)]);
         for earlier in before {
             for mode in earlier.modes.keys() {
@@ -175,7 +160,7 @@ impl<'s, 'a> Table<'s, 'a> {
             let mut next = 0;
             while let Some(&mode) = waiting.get(next) {
                 next += 1;
-                for (target, way) in self.ways(mode, faults) {
+                for (target, way) in ways(&self.scene.diagram.modes[mode], stays[mode.index()].as_deref()) {
                     if !modes.contains_key(&target) && (way != Way::Open || !is_shown_only) {
                         waiting.push(target);
                         modes.insert(target, Arrival::From(mode, way));
@@ -183,49 +168,7 @@ impl<'s, 'a> Table<'s, 'a> {
                 }
             }
         }
-        Reached { faults: faults.clone(), modes }
-    }
-
-    fn facts(&mut self, reached: &Reached) -> Facts {
-        let faults = &reached.faults;
-        let modes = &self.scene.diagram.modes;
-        let facts = |table: &mut Self, id: Id<Mode>| ModeFacts {
-            reachable: reached.modes.contains_key(&id),
-            inhibited: modes[id].requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor)),
-            exits: match table.stay(id, faults).as_ref() {
-                Some(stay) => stay.exits.iter().map(|exit| exit.taken.clone()).collect(),
-                None => vec![Some(Way::Open); modes[id].transitions.len()],
-            },
-            trace: reached.trace(id),
-        };
-        let facts: Vec<_> = modes.ids().map(|id| facts(self, id)).collect();
-        Facts { faults: faults.clone(), modes: facts, traps: self.traps(reached) }
-    }
-
-    fn traps(&mut self, reached: &Reached) -> Vec<Vec<Id<Mode>>> {
-        let diagram = self.scene.diagram;
-        let mut leads = |faults: &FaultSet| -> Vec<Vec<Id<Mode>>> {
-            diagram.modes.ids().map(|mode| self.ways(mode, faults).into_iter().map(|(to, _)| to).collect()).collect()
-        };
-        let (now, healthy) = (leads(&reached.faults), leads(&FaultSet::new()));
-        let graph = Graph::new(diagram, |mode| now[mode.index()].clone());
-        let inhibited = |mode: Id<Mode>| {
-            diagram.modes[mode].requires.iter().any(|(sensor, _)| faults::is_reported(&reached.faults, *sensor))
-        };
-        let is_trap = |group: &Vec<Id<Mode>>| {
-            let leaves = |leads: &[Vec<Id<Mode>>]| {
-                let mut targets = group.iter().flat_map(|mode| &leads[mode.index()]);
-                targets.any(|target| !group.contains(target) && !inhibited(*target))
-            };
-            let is_meant = match group.as_slice() {
-                [mode] => diagram.modes[*mode].is_final,
-                _ => !leaves(&healthy),
-            };
-            reached.modes.contains_key(&group[0]) && !leaves(&now) && !is_meant
-        };
-        let mut traps: Vec<_> = graph.groups().into_iter().filter(is_trap).collect();
-        traps.sort_unstable();
-        traps
+        Reached { faults: faults.clone(), modes, stays }
     }
 
     /// Every set of at most `up_to` faults of the sensors that the diagram looks at, smallest first.
@@ -278,4 +221,61 @@ impl<'s, 'a> Table<'s, 'a> {
         let between = cuts.windows(2).map(|pair| Fault::Between(pair[0], pair[1]));
         cuts.iter().map(|at| Fault::Stuck(*at)).chain(between).collect()
     }
+}
+
+/// Where a mode can lead, and how.
+fn ways(mode: &Mode, stay: Option<&Stay>) -> Vec<(Id<Mode>, Way)> {
+    match stay {
+        None => mode.transitions.iter().filter_map(|exit| Some((exit.target?, Way::Open))).collect(),
+        Some(Stay { lost: Some(otherwise), .. }) => {
+            let moment = Moment { dwell: 0, done: false, readings: Vec::new() };
+            vec![(*otherwise, Way::Shown(vec![moment]))]
+        }
+        Some(stay) => {
+            let exits = mode.transitions.iter().zip(&stay.exits);
+            exits.filter_map(|(transition, exit)| Some((transition.target?, exit.taken.clone()?))).collect()
+        }
+    }
+}
+
+/// What is known of a diagram once everything that is reached is.
+fn facts(diagram: &Diagram, reached: &Reached, healthy: &Reached) -> Facts {
+    let facts = |(id, mode): (Id<Mode>, &Mode)| ModeFacts {
+        reachable: reached.modes.contains_key(&id),
+        inhibited: is_inhibited(mode, &reached.faults),
+        exits: match &reached.stays[id.index()] {
+            Some(stay) => stay.exits.iter().map(|exit| exit.taken.clone()).collect(),
+            None => vec![Some(Way::Open); mode.transitions.len()],
+        },
+        trace: reached.trace(id),
+    };
+    let modes = diagram.modes.iter().map(facts).collect();
+    Facts { faults: reached.faults.clone(), modes, traps: traps(diagram, reached, healthy) }
+}
+
+fn is_inhibited(mode: &Mode, faults: &FaultSet) -> bool {
+    mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor))
+}
+
+fn traps(diagram: &Diagram, reached: &Reached, healthy: &Reached) -> Vec<Vec<Id<Mode>>> {
+    let leads = |of: &Reached| -> Vec<Vec<Id<Mode>>> {
+        let modes = diagram.modes.values().zip(&of.stays);
+        modes.map(|(mode, stay)| ways(mode, stay.as_deref()).into_iter().map(|(to, _)| to).collect()).collect()
+    };
+    let (now, healthy) = (leads(reached), leads(healthy));
+    let graph = Graph::new(diagram, |mode| now[mode.index()].clone());
+    let is_trap = |group: &Vec<Id<Mode>>| {
+        let leaves = |leads: &[Vec<Id<Mode>>]| {
+            let mut targets = group.iter().flat_map(|mode| &leads[mode.index()]);
+            targets.any(|target| !group.contains(target) && !is_inhibited(&diagram.modes[*target], &reached.faults))
+        };
+        let is_meant = match group.as_slice() {
+            [mode] => diagram.modes[*mode].is_final,
+            _ => !leaves(&healthy),
+        };
+        reached.modes.contains_key(&group[0]) && !leaves(&now) && !is_meant
+    };
+    let mut traps: Vec<_> = graph.groups().into_iter().filter(is_trap).collect();
+    traps.sort_unstable();
+    traps
 }
