@@ -102,6 +102,15 @@ pub(super) fn write(path: &str, bytes: &[u8], terminal: &Terminal) -> Result<(),
     std::fs::write(path, bytes).map_err(|error| terminal.fail(&format!("`{path}` cannot be written: {error}"), None))
 }
 
+/// Makes a folder, and those it is in, where there is none yet.
+///
+/// # Errors
+/// The exit code; the reason has been reported.
+pub(super) fn make_folder(path: &str, terminal: &Terminal) -> Result<(), u8> {
+    std::fs::create_dir_all(path)
+        .map_err(|error| terminal.fail(&format!("the folder `{path}` cannot be made: {error}"), None))
+}
+
 /// Reads a file that is not of the language.
 ///
 /// # Errors

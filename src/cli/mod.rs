@@ -4,6 +4,7 @@
 //! Crates: clap, rayon, serde, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
+mod build;
 mod check;
 mod config;
 mod eval;
@@ -86,6 +87,8 @@ enum Command {
     Eval(eval::Eval),
     /// Show what is left of every event under each set of failed sensors
     Faults(faults::Faults),
+    /// Make something of behaviors that other tools read
+    Build(build::Build),
     /// Explain a diagnostic, by its code or its name
     Explain(explain::Explain),
 }
@@ -100,6 +103,7 @@ pub fn main() -> ExitCode {
         Command::Test(test) => test.execute(&terminal),
         Command::Eval(eval) => eval.execute(&terminal),
         Command::Faults(faults) => faults.execute(&terminal),
+        Command::Build(build) => build.execute(&terminal),
         Command::Explain(explain) => Ok(explain.execute(&terminal)),
     };
     // Whether a command came to its end or was cut short, its answer is an exit code.

@@ -1,8 +1,10 @@
-//! Pictures: what a run did, as a figure.
+//! What other eyes and tools read: a run as a figure, a diagram as a model.
 //!
-//! Imports: trace
+//! Imports: analysis, base, ir, trace
 //! Crates: –
 
 mod plot;
+mod promela;
 
 pub use plot::plot;
+pub use promela::promela;

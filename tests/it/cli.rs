@@ -679,6 +679,75 @@ fn explain_prints_pages_and_the_list() {
 
 // The terminal
 
+// build
+
+#[test]
+fn build_writes_where_it_is_told_to() {
+    let project = Project::new(&[("wander.msd", CLEAN), ("more/ramble.msd", &CLEAN.replace("wander", "ramble"))]);
+    let build = |arguments: &[&str]| project.run(&[&["build", "--emit", "promela"], arguments].concat());
+    let shown = build(&["wander.msd"]);
+    assert_eq!((shown.code, shown.err.as_str()), (0, ""));
+    assert!(shown.out.contains("proctype behavior_wander()") && shown.out.contains("go_1: mode = in_rest"));
+    assert!(!shown.out.contains("failures"), "nothing fails unless told to");
+    assert_eq!(build(&["wander.msd", "-o", "model.pml"]).out, "");
+    assert_eq!(project.read("model.pml"), shown.out);
+    assert_eq!(build(&["wander.msd", "-o", "more"]).code, 0);
+    assert_eq!(project.read("more/wander.pml"), shown.out, "a folder gets a file of the behavior's name");
+    assert_eq!(build(&["wander.msd", "more", "--output", "models/all"]).code, 0);
+    assert_eq!(project.read("models/all/wander.pml"), shown.out);
+    assert!(project.read("models/all/ramble.pml").contains("behavior_ramble"));
+    let both = build(&["wander.msd", "more"]);
+    assert!(both.out.contains(":: run behavior_wander()\n    :: run behavior_ramble()\n"), "{}", both.out);
+}
+
+#[test]
+fn build_says_what_keeps_it_from_building() {
+    let project = Project::new(&[
+        ("wander.msd", CLEAN),
+        ("again/wander.msd", CLEAN),
+        ("ramble.msd", &CLEAN.replace("wander", "ramble")),
+        ("doubtful.msd", DOUBTFUL),
+        ("wrong.msd", WRONG),
+        ("bump.fsfn", BUMP),
+    ]);
+    let failed = |arguments: &[&str], code: i32, message: &str| {
+        let answer = project.run(&[&["build"], arguments].concat());
+        assert_eq!((answer.code, answer.out.as_str()), (code, ""), "{}", answer.err);
+        assert!(answer.err.contains(message), "{}", answer.err);
+    };
+    failed(&["wander.msd"], 2, "--emit <KIND>");
+    failed(&["wander.msd", "--emit", "prolog"], 2, "promela");
+    failed(&["--emit", "promela"], 2, "<FILES>");
+    failed(&["bump.fsfn", "--emit", "promela"], 2, "`bump.fsfn` holds no behavior");
+    failed(&["wrong.msd", "--emit", "promela"], 1, "error[LM0201]");
+    failed(&["wander.msd", "--emit", "promela", "-o", "none/model.pml"], 2, "`none/model.pml` cannot be written");
+    let same = ["wander.msd", "again/wander.msd", "--emit", "promela", "-o"];
+    failed(&[same.as_slice(), &["models"]].concat(), 2, "several behaviors are named `wander`");
+    let several = ["wander.msd", "ramble.msd", "--emit", "promela", "-o", "bump.fsfn"];
+    failed(&several, 2, "the folder `bump.fsfn` cannot be made");
+    assert!(project.run(&["build", "doubtful.msd", "--emit", "promela"]).err.contains("warning[LM0406]"));
+}
+
+#[test]
+fn build_refuses_what_is_too_large() {
+    let mode = |mode: u32| format!("mode m{mode} {{ halt()  1: after 1 s -> m{} }}\n", (mode + 1) % 256);
+    let modes = (0..256).map(mode).collect::<Vec<_>>().concat();
+    let long = format!("import std.robots.j5\nbehavior long on j5 {{ entry m0\n{modes} }}");
+    let many = (0..14).map(|index| format!("held(contact_force > {index} N, 1 s)")).collect::<Vec<_>>().join(" or ");
+    let wide = format!(
+        "import std.robots.j5\nbehavior wide on j5 {{ entry a
+         mode a {{ halt()  1: {many} -> b }}  mode b {{ halt()  1: after 1 s -> a }} }}"
+    );
+    let project = Project::new(&[("long.msd", &long), ("wide.msd", &wide)]);
+    let refused = |path: &str, message: &str| {
+        let answer = project.run(&["build", "--quiet", "--emit", "promela", path]);
+        assert_eq!((answer.code, answer.out.as_str()), (2, ""));
+        assert!(answer.err.contains(message), "{}", answer.err);
+    };
+    refused("long.msd", "Promela has no names for more than 255 modes");
+    refused("wide.msd", "mode `a` of `wide` has more cases than are looked into");
+}
+
 #[test]
 fn color_comes_where_it_is_asked_for() {
     let project = Project::new(&[("wrong.msd", WRONG), ("bump.fsfn", BUMP)]);
@@ -729,7 +798,7 @@ fn every_command_says_what_it_is_for() {
     let project = Project::new(&[]);
     let help = project.run(&["--help"]);
     assert_eq!(help.code, 0);
-    for command in ["check", "run", "test", "eval", "explain"] {
+    for command in ["check", "run", "test", "eval", "faults", "build", "explain"] {
         assert!(help.out.contains(&format!("\n  {command}")), "{}", help.out);
         let own = project.run(&[command, "--help"]);
         assert_eq!(own.code, 0);

@@ -18,6 +18,7 @@ mod modes;
 mod network;
 mod network_more;
 mod pages;
+mod promela;
 mod random_modes;
 mod sessions;
 mod support;

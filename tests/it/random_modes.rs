@@ -8,7 +8,8 @@ use lmslc::plan;
 
 use crate::support::{analyze_texts, report};
 
-const FUSION: &str = "
+/// The network that random behaviors sense, `n`.
+pub const FUSION: &str = "
     variable level: 1 in 0 .. 10 { low = ramp(6, 4)  mid = triangle(4, 5, 6)  high = ramp(4, 6) }
     network n(v: level, w: level) {
         event full { contributor (high, -) detractor ({low, mid}, -) }
@@ -19,7 +20,17 @@ const FUSION: &str = "
     }
     ";
 
-struct Random(u64);
+/// The robot that random behaviors are on.
+pub const CART: &str = "import n
+    robot cart {
+        sensor x: 1 in 0 .. 10 fails 3
+        optional sensor y: 1 in 0 .. 10 fails 7
+        action turn(angle: rad) -> done
+    }
+    ";
+
+/// Makes behaviors.
+pub struct Random(pub u64);
 
 impl Random {
     fn below(&mut self, limit: u64) -> u64 {
@@ -53,15 +64,9 @@ impl Random {
         condition
     }
 
-    fn behavior(&mut self) -> String {
-        let mut text = "import n
-            robot cart {
-                sensor x: 1 in 0 .. 10 fails 3
-                optional sensor y: 1 in 0 .. 10 fails 7
-                action turn(angle: rad) -> done
-            }
-            behavior b on cart { sense n(x, y)  entry m0\n"
-            .to_owned();
+    /// A behavior on a cart with sensors `x` and `y`.
+    pub fn behavior(&mut self, name: &str) -> String {
+        let mut text = format!("behavior {name} on cart {{ sense n(x, y)  entry m0\n");
         for mode in 0..4 {
             let requires = if mode == 3 { "requires y else m1" } else { "" };
             text += &format!("mode m{mode} {requires} {{ turn(1 rad)\n");
@@ -70,7 +75,7 @@ impl Random {
             }
             text += "}\n";
         }
-        text + "}"
+        text + "}\n"
     }
 }
 
@@ -85,7 +90,7 @@ fn what_never_happens_is_not_seen() {
     let mut random = Random(7);
     let (mut dead, mut live) = (0, 0);
     for _ in 0..80 {
-        let text = random.behavior();
+        let text = format!("{CART}{}", random.behavior("b"));
         let analysis = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
         let plan = plan::build(analysis.checked().unwrap(), Id::new(0), Id::new(0), &[]);
         let healthy = fault_table(&analysis.program, Id::new(0), 0).remove(0);

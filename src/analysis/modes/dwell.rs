@@ -196,16 +196,17 @@ impl Stay {
 }
 
 /// The thresholds and counters of a mode.
-struct Clock {
+#[derive(Debug, Clone)]
+pub struct Clock {
     /// Nanoseconds, ascending, each above 0.
-    thresholds: Vec<u64>,
+    pub thresholds: Vec<u64>,
     /// Counted nodes, and the number past which nothing changes.
-    counters: Vec<(usize, u32)>,
+    pub counters: Vec<(usize, u32)>,
 }
 
 impl Clock {
     /// `None` where a counter is compared with more than is followed.
-    fn new(formula: &Formula) -> Option<Self> {
+    pub(super) fn new(formula: &Formula) -> Option<Self> {
         let mut thresholds = BTreeSet::new();
         let mut counters: BTreeMap<usize, u32> = BTreeMap::new();
         for atom in &formula.atoms {

@@ -110,9 +110,11 @@ impl Reached {
     }
 }
 
-struct Table<'s, 'a> {
+/// The modes of a diagram, and what is known of them by now.
+pub(super) struct Table<'s, 'a> {
     scene: &'s Scene<'a>,
-    formulas: Vec<Option<(Formula, BTreeSet<Id<Sensor>>)>>,
+    /// The conditions of each mode, and the sensors whose failing concerns it.
+    pub(super) formulas: Vec<Option<(Formula, BTreeSet<Id<Sensor>>)>>,
     stays: HashMap<Visit, Option<Rc<Stay>>>,
 }
 
@@ -120,7 +122,7 @@ struct Table<'s, 'a> {
 type Visit = (Id<Mode>, FaultSet, BTreeSet<State>);
 
 impl<'s, 'a> Table<'s, 'a> {
-    fn new(scene: &'s Scene<'a>) -> Self {
+    pub(super) fn new(scene: &'s Scene<'a>) -> Self {
         let formula = |mode: &Mode| {
             let formula = Formula::new(scene.program, scene.diagram, &mode.transitions).filter(|_| !mode.incomplete)?;
             let sensors = concerning(scene, mode, &formula);
@@ -172,7 +174,7 @@ impl<'s, 'a> Table<'s, 'a> {
     }
 
     /// Every set of at most `up_to` faults of the sensors that the diagram looks at, smallest first.
-    fn fault_sets(&self, up_to: usize) -> Vec<FaultSet> {
+    pub(super) fn fault_sets(&self, up_to: usize) -> Vec<FaultSet> {
         let sensors: BTreeSet<_> = self.formulas.iter().flatten().flat_map(|(_, sensors)| sensors).copied().collect();
         let mut sets = vec![FaultSet::new()];
         for sensor in sensors {

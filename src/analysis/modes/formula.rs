@@ -8,9 +8,14 @@ use crate::ir::{Comparison, Diagram, Expr, Flag, Op, Program, Sensor, Transition
 
 /// Something that is true or false on a tick, and not made of other such things.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(super) enum Atom {
+pub enum Atom {
     /// An event without memory, a function of the readings.
-    Event { sense: u32, event: u32 },
+    Event {
+        /// The position of the sense in its diagram.
+        sense: u32,
+        /// The position of the event in its network.
+        event: u32,
+    },
     /// A sensor beside a number or another sensor.
     Compare(Comparison, Id<Sensor>, Operand),
     /// A sensor is known to have failed.
@@ -27,18 +32,25 @@ pub(super) enum Atom {
     Open(Id<Expr>),
 }
 
+/// What a sensor is compared with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Operand {
+pub enum Operand {
+    /// In SI.
     Number(Exact),
+    /// What it reads.
     Sensor(Id<Sensor>),
 }
 
 /// How a node is looked at in the past.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Past {
+pub enum Past {
+    /// True now and false on the tick before.
     Rising,
+    /// False now and true on the tick before.
     Falling,
+    /// True for that many nanoseconds.
     Held(u64),
+    /// True on some tick since the mode was entered.
     Latched,
 }
 
@@ -62,22 +74,30 @@ impl Past {
     }
 }
 
+/// A condition or a part of one. Its parts are named by their positions in [`Formula::nodes`].
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-enum Node {
+pub enum Node {
+    /// Always the same.
     Constant(bool),
+    /// A position in [`Formula::atoms`].
     Atom(usize),
+    /// Negation.
     Not(usize),
+    /// Conjunction.
     All(Vec<usize>),
+    /// Disjunction.
     Any(Vec<usize>),
 }
 
 /// Conditions over atoms. A set of true atoms is a `u64`, a bit for each.
 #[derive(Debug, Default)]
-pub(super) struct Formula {
-    pub(super) atoms: Vec<Atom>,
-    nodes: Vec<Node>,
+pub struct Formula {
+    /// Each once. A look at the past stands behind the atoms of what it looks at.
+    pub atoms: Vec<Atom>,
+    /// Each once, parts before what they are part of.
+    pub nodes: Vec<Node>,
     /// The node of each condition.
-    pub(super) roots: Vec<usize>,
+    pub roots: Vec<usize>,
     known_atoms: HashMap<Atom, usize>,
     known_nodes: HashMap<Node, usize>,
 }

@@ -13,6 +13,7 @@ mod fusion;
 mod guards;
 mod inhibited;
 mod left_at_once;
+mod machine;
 mod masked;
 mod never_true;
 mod one_tick;
@@ -24,10 +25,12 @@ mod ticks;
 mod timers;
 mod traps;
 
-pub use dwell::{Moment, Way};
+pub use dwell::{Clock, Moment, Way};
 pub use facts::{Facts, ModeFacts, Step, fault_table};
 pub use faults::{Fault, FaultSet};
 pub(super) use formula::parts;
+pub use formula::{Atom, Formula, Node, Operand, Past};
+pub use machine::{Case, Guards, Machine, machine};
 pub(super) use outcomes::{Conditions, Outcomes};
 
 use crate::base::Id;

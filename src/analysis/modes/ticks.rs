@@ -78,7 +78,8 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
     Some(ticks)
 }
 
-fn is_free(atom: &Atom) -> bool {
+/// Whether readings and failures leave it open.
+pub(super) fn is_free(atom: &Atom) -> bool {
     match atom {
         Atom::Past(..) | Atom::Done | Atom::Open(_) => true,
         Atom::Event { .. } | Atom::Compare(..) | Atom::Failed(_) | Atom::After(_) | Atom::Count(..) => false,
