@@ -12,6 +12,7 @@ use std::hint::black_box;
 
 use divan::Bencher;
 use lmslc::analysis::network::{Model, analyze};
+use lmslc::analysis::run;
 use lmslc::base::Id;
 
 #[path = "../tests/it/golden_reader.rs"]
@@ -62,6 +63,20 @@ fn twenty_inputs_and_two_hundred_rules(bencher: Bencher<'_, '_>) {
         assert_eq!(facts[0].events[0].contributor.len(), 100);
         black_box(facts)
     });
+}
+
+/// What an editor waits for: every finding about Obstacle_ID.
+#[divan::bench]
+fn findings_of_obstacle_id(bencher: Bencher<'_, '_>) {
+    let program = golden_reader::program(&golden_reader::read("obstacle_id.json")[0]);
+    bencher.bench(|| run(&program, 1, |_| true).len());
+}
+
+/// Every finding about a network of 20 inputs and 200 rules.
+#[divan::bench]
+fn findings_of_two_hundred_rules(bencher: Bencher<'_, '_>) {
+    let program = golden_reader::program(&large());
+    bencher.bench(|| run(&program, 1, |_| true).len());
 }
 
 /// 20 inputs of three overlapping terms each, none with the corners of another; each rule names four of them.

@@ -53,6 +53,7 @@ pub(super) fn in_order(shape: &Shape) -> bool {
     match shape {
         Shape::Ramp { zero_at, one_at } => zero_at != one_at,
         Shape::Built(parts) => plain(parts).all(in_order),
+        Shape::Points(points) if points.is_empty() => false,
         shape => descent(shape).is_none(),
     }
 }

@@ -1,18 +1,11 @@
 //! Every reading belongs to some term, and every term to some reading.
 
-use super::breakpoints;
-use super::support::{Interval, gaps, support};
+use super::support::{Cut, Interval, gaps, support};
+use super::vanishing_end;
 use crate::diag::{Diagnostic, rules};
 use crate::ir::{Term, Variable};
 
 pub(super) fn check(variable: &Variable, findings: &mut Vec<Diagnostic>) {
-    // A broken term was reported; what it would have covered is unknown.
-    if variable.incomplete
-        || variable.terms.is_empty()
-        || !variable.terms.iter().all(|term| breakpoints::in_order(&term.shape))
-    {
-        return;
-    }
     let mut covered = Vec::new();
     let mut misplaced = false;
     for term in &variable.terms {
@@ -23,9 +16,13 @@ pub(super) fn check(variable: &Variable, findings: &mut Vec<Diagnostic>) {
         }
         covered.extend(intervals);
     }
-    let gaps = gaps(covered, variable.range);
     // A misplaced term may be what is missing there.
-    if !gaps.is_empty() && !misplaced {
+    if misplaced {
+        return;
+    }
+    let mut gaps = gaps(covered, variable.range);
+    vanishing_end::check(variable, &mut gaps, findings);
+    if !gaps.is_empty() {
         findings.push(not_covered(variable, &gaps));
     }
 }
@@ -47,7 +44,19 @@ fn outside(term: &Term, variable: &Variable) -> Diagnostic {
 fn not_covered(variable: &Variable, gaps: &[Interval]) -> Diagnostic {
     let shown: Vec<_> = gaps.iter().map(|gap| show_gap(variable, *gap)).collect();
     let message = format!("no term of `{}` holds {}", variable.symbol.name, shown.join(" and "));
-    Diagnostic::new(&rules::RANGE_NOT_COVERED, variable.symbol.span, message)
+    let diagnostic = Diagnostic::new(&rules::RANGE_NOT_COVERED, variable.symbol.span, message);
+    let beside = |&(from, to): &Interval| {
+        let ends = |cut: Cut, ends_at: fn(&Interval) -> Cut| {
+            let mut terms = variable.terms.iter();
+            terms.find(|term| support(&term.shape, variable.range).iter().map(ends_at).any(|end| end == cut))
+        };
+        let before = ends(from, |interval| interval.1).map(|term| (term, "ends there"));
+        let after = ends(to, |interval| interval.0).map(|term| (term, "begins there"));
+        before.into_iter().chain(after)
+    };
+    let labels = gaps.iter().flat_map(beside).take(3);
+    labels
+        .fold(diagnostic, |diagnostic, (term, does)| diagnostic.label(term.shape_span, does))
         .note(format!(
             "its range is {}; where every degree is 0, no rule that names the variable fires",
             shown_range(variable)

@@ -8,16 +8,21 @@
 mod breakpoints;
 mod commands;
 mod coverage;
+mod curve;
+mod duplicate_terms;
 mod durations;
+mod events;
 mod exits;
 mod expectations;
 mod fault_table;
+mod membership;
 pub mod modes;
 pub mod network;
 mod priorities;
 mod reachability;
 mod requirements;
 mod support;
+mod vanishing_end;
 
 pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, ModesRow, RuleRows, fault_table};
 
@@ -34,7 +39,15 @@ pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) 
     let matters = |symbol: &Symbol| matters(symbol.span.file);
     for variable in program.variables.values().filter(|variable| matters(&variable.symbol)) {
         breakpoints::check(variable, &mut findings);
-        coverage::check(variable, &mut findings);
+        // What a broken term would have held is unknown; it was reported.
+        let in_order = variable.terms.iter().all(|term| breakpoints::in_order(&term.shape));
+        if in_order && !variable.incomplete && !variable.terms.is_empty() {
+            coverage::check(variable, &mut findings);
+            duplicate_terms::check(variable, &mut findings);
+        }
+    }
+    for (id, _) in program.networks.iter().filter(|(_, network)| matters(&network.symbol)) {
+        events::check(program, id, &matters, &mut findings);
     }
     for diagram in program.diagrams.values().filter(|diagram| matters(&diagram.symbol)) {
         priorities::check(diagram, &mut findings);
@@ -43,6 +56,7 @@ pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) 
         commands::check(diagram, program, &mut findings);
         reachability::check(diagram, &mut findings);
         modes::check(program, diagram, &mut findings);
+        events::check_noise(program, diagram, &mut findings);
     }
     findings
 }

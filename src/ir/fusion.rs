@@ -50,7 +50,7 @@ pub enum Shape {
     Rectangle([Exact; 2]),
     /// 1 at one reading, 0 elsewhere.
     Singleton(Exact),
-    /// Linear between the points, in ascending order of readings.
+    /// Linear between the points, in ascending order of readings. Without points it is one that was broken and reported.
     Points(Vec<(Exact, Exact)>),
     /// A bell around a mean, with a standard deviation above 0.
     Gaussian([Exact; 2]),
@@ -109,6 +109,8 @@ pub struct Network {
     pub inputs: Vec<NetworkInput>,
     /// Its events in order.
     pub events: Vec<Event>,
+    /// Whether something in it was broken, reported and left out; then nothing can be said of what it lacks.
+    pub incomplete: bool,
 }
 
 /// An input of a network.

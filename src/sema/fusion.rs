@@ -21,7 +21,7 @@ impl Lower<'_> {
         };
         let Some(range) = range else { return };
         let fails = self.fail_readings(&tree.fails, &unit, range);
-        let terms = self.declared_terms(&tree.terms, &unit, range);
+        let terms = self.declared_terms(&tree.terms, &unit);
         let incomplete = self.unparsed.touches(tree.span);
         if tree.terms.is_empty() && !incomplete {
             let diagnostic = missing_part(tree.name.span, format!("variable `{}` has no term", tree.name.text));
@@ -67,6 +67,7 @@ impl Lower<'_> {
     }
 
     pub(super) fn network(&mut self, tree: &ast::Network) {
+        let reported = self.diagnostics.len();
         let mut seen = HashMap::new();
         let mut inputs = Vec::new();
         let mut sound = true;
@@ -86,7 +87,8 @@ impl Lower<'_> {
         if !sound {
             return;
         }
-        let mut network = ir::Network { symbol: symbol(&tree.name, tree.doc.as_ref()), inputs, events: Vec::new() };
+        let symbol = symbol(&tree.name, tree.doc.as_ref());
+        let mut network = ir::Network { symbol, inputs, events: Vec::new(), incomplete: false };
         let mut seen = HashMap::new();
         for item in &tree.items {
             match item {
@@ -102,6 +104,7 @@ impl Lower<'_> {
                 ast::NetworkItem::Rule(_) | ast::NetworkItem::Error(_) => {}
             }
         }
+        network.incomplete = self.unparsed.touches(tree.span) || self.diagnostics.len() > reported;
         let id = self.program.networks.add(network);
         self.scopes.networks.insert(tree.name.span, id);
     }

@@ -61,14 +61,14 @@ struct Built<'t> {
 
 impl Lower<'_> {
     /// The terms of a variable or output.
-    pub(super) fn declared_terms(&mut self, trees: &[ast::Term], unit: &Unit, range: (Exact, Exact)) -> Vec<ir::Term> {
+    pub(super) fn declared_terms(&mut self, trees: &[ast::Term], unit: &Unit) -> Vec<ir::Term> {
         let mut seen = HashMap::new();
         let (first, _): (Vec<_>, Vec<_>) =
             trees.iter().partition(|term| claim(&mut seen, &term.name, "term", &mut self.diagnostics));
         let terms = Terms { trees: first.iter().map(|term| (term.name.text.as_str(), *term)).collect(), unit };
         let lowered = first.iter().map(|term| {
             // A term whose shape is broken keeps its place, so that rules that name it are not reported too.
-            let shape = self.term(term, &terms).unwrap_or(ir::Shape::Rectangle([range.0, range.1]));
+            let shape = self.term(term, &terms).unwrap_or(ir::Shape::Points(Vec::new()));
             ir::Term { symbol: symbol(&term.name, term.doc.as_ref()), shape, shape_span: term.shape.span }
         });
         lowered.collect()

@@ -151,7 +151,7 @@ pub fn program(net: &Value) -> Program {
         confirm: 0,
     });
     let symbol = symbol(&net["name"]);
-    program.networks.add(Network { symbol, inputs, events: events.collect() });
+    program.networks.add(Network { symbol, inputs, events: events.collect(), incomplete: false });
     program
 }
 

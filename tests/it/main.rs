@@ -11,6 +11,7 @@ mod docs;
 mod examples;
 mod fault_table;
 mod faults;
+mod fuzzy_findings;
 mod golden;
 mod golden_reader;
 mod limits;

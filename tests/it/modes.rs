@@ -12,11 +12,13 @@ const ROBOT: &str = "
     ";
 
 const FUSION: &str = "
-    variable level: 1 in 0 .. 10 { low = ramp(6, 4)  mid = triangle(4, 5, 6)  high = ramp(4, 6) }
+    variable level: 1 in 0 .. 20 {
+        low = ramp(6, 4)  mid = triangle(4, 5, 6)  high = trapezoid(4, 6, 12, 14)  over = ramp(12, 14)
+    }
     network n(v: level) {
         event full  { contributor (high) detractor ({low, mid}) }
         event empty { contributor (low) detractor ({mid, high}) }
-        event stuck { contributor (mid) detractor (mid) }
+        event stuck { contributor (over) detractor (high) }
     }
     network both(v: level, w: level) {
         event some { contributor (high, _) (_, high) detractor (low, low) }

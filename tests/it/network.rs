@@ -176,6 +176,11 @@ impl Replay {
         events.map(replay).collect()
     }
 
+    /// How strong each rule is, contributors first.
+    pub fn strengths(&self) -> impl Iterator<Item = f64> {
+        self.contributors.iter().chain(&self.detractors).copied()
+    }
+
     pub fn margin(&self) -> f64 {
         largest(self.contributors.iter().copied()) - largest(self.detractors.iter().copied())
     }

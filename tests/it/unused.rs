@@ -100,7 +100,7 @@ fn terms_and_variables_are_read_by_networks() {
     let event = |rules: &str| format!("{level}network n(v: level) {{ event full {{ {rules} }} }}");
     finds(&[("n.fsfn", level)], &[]);
     finds(&[("n.fsfn", &event("contributor (high) detractor (low)"))], &[("term", "mid")]);
-    finds(&[("n.fsfn", &event("contributor (high) detractor (_)"))], &[]);
+    finds(&[("n.fsfn", &event("contributor (_) detractor (high)"))], &[]);
     finds(&[("n.fsfn", &event("contributor (high) detractor ({low, mid})"))], &[]);
     finds(&[("n.fsfn", &event("contributor rule v is high detractor rule not v is mid"))], &[("term", "low")]);
     let built = event("contributor (high) detractor (off)")

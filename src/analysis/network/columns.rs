@@ -1,7 +1,7 @@
 //! The degrees that the rules name of one input, a column each; two where only bounds of them are known.
 
-use super::curve::Curve;
-use super::membership::Membership;
+use crate::analysis::curve::Curve;
+use crate::analysis::membership::Membership;
 use crate::base::Fraction;
 use crate::ir::{Literal, Variable};
 
@@ -23,8 +23,9 @@ impl Columns {
         let mut columns = Self { literals: Vec::new(), curves: Vec::new(), absent: Vec::new(), bounds: Vec::new() };
         for (variable, literal) in named {
             let membership = Membership::new(&variable.terms.get(literal.term as usize)?.shape, pi);
-            let Membership { low, high, absent } = if literal.negated { membership.complement() } else { membership };
-            let is_exact = low == high;
+            let membership = if literal.negated { membership.complement() } else { membership };
+            let is_exact = membership.is_exact();
+            let Membership { low, high, absent } = membership;
             let first = columns.add(literal, low, &absent);
             let last = if is_exact { first } else { columns.add(literal, high, &absent) };
             columns.bounds.push((first, last));

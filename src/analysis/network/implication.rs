@@ -21,7 +21,7 @@ fn implies(premise: &EventModel, conclusion: &EventModel) -> bool {
 }
 
 /// Whether a rule is nowhere stronger than another: it has a narrower clause for each of the other's.
-fn at_most(weak: &[(usize, &[usize])], strong: &[(usize, &[usize])]) -> bool {
+pub(super) fn at_most(weak: &[(usize, &[usize])], strong: &[(usize, &[usize])]) -> bool {
     let narrower = |(input, wide): &(usize, &[usize])| {
         weak.iter().any(|(same, narrow)| same == input && narrow.iter().all(|literal| wide.contains(literal)))
     };

@@ -58,6 +58,19 @@ pub(super) fn all_valuations(model: &Model, states: &[usize], most: usize) -> Op
 /// The most combinations of readings that are looked at before a search.
 const MOST_LOOKS: usize = 64;
 
+/// Whether some events can have these statuses together.
+pub(super) fn verdict_of(model: &Model, states: &[usize], statuses: &[(usize, bool)]) -> Verdict {
+    let mut known = Known::new(model);
+    for &(event, set) in statuses {
+        let status = known.set[event];
+        known.solver.demand([if set { status } else { !status }]);
+    }
+    let mut search = Search::new(model, states, known);
+    search.find();
+    let found = search.known.valuations.pop();
+    found.map_or(Verdict::Never, |found| found.witness.map_or(Verdict::Unknown, Verdict::Possible))
+}
+
 /// The valuations found so far; the solver is to find another one.
 struct Known {
     solver: Solver,
@@ -118,7 +131,9 @@ impl Known {
     fn all(mut self, model: &Model, states: &[usize], most: usize) -> Option<Vec<Valuation>> {
         // Often nothing is left to search for.
         if self.solver.holds(&[]) {
-            self = Search::new(model, states, self).run(most);
+            let mut search = Search::new(model, states, self);
+            while search.known.valuations.len() <= most && search.find() {}
+            self = search.known;
         }
         self.valuations.sort_by(|one, other| one.set.cmp(&other.set));
         (self.valuations.len() <= most).then_some(self.valuations)
@@ -193,8 +208,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn run(mut self, most: usize) -> Known {
-        while self.known.valuations.len() <= most && self.known.solver.holds(&[]) {
+    /// Finds one more valuation, if there is one.
+    fn find(&mut self) -> bool {
+        while self.known.solver.holds(&[]) {
             let set: Vec<_> = self.known.set.iter().map(|&set| self.known.solver.value(set)).collect();
             let (inequalities, reasons) = self.inequalities(&set);
             match linear::solve(self.bounds.unknowns(), inequalities) {
@@ -202,6 +218,7 @@ impl<'a> Search<'a> {
                     let witness = self.witness(&values);
                     let is_sure = self.model.flags(self.states, &witness).as_ref() == Some(&set);
                     self.known.found(set, is_sure.then_some(witness));
+                    return true;
                 }
                 Err(because) => {
                     let mut clause: Vec<_> = because.iter().flat_map(|&reason| &reasons[reason]).map(|&p| !p).collect();
@@ -211,7 +228,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        self.known
+        false
     }
 
     /// What the bounds of the model found last say of places and levels, with the propositions each follows from.

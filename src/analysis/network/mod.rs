@@ -5,7 +5,6 @@
 //! each other, so what the rules of one event can be at one level is the product of what each input can be.
 
 mod columns;
-mod curve;
 mod engine;
 mod event;
 mod faults;
@@ -17,10 +16,11 @@ mod joint_bounds;
 mod likeness;
 mod linear;
 mod margin;
-mod membership;
 mod model;
 mod proof;
 mod question;
+mod redundancy;
+mod region;
 mod sat;
 mod sensor;
 mod slices;
@@ -34,7 +34,8 @@ pub use event::{EventFacts, RuleFacts, Verdict};
 pub use faults::{Fault, FaultSet, fault_sets};
 pub(super) use joined::{Fed, Feeds, valuations};
 pub use joint::Valuation;
-pub use likeness::{Relation, relations};
+pub use likeness::Relation;
+pub use margin::Comparison;
 pub use model::{Feed, Model};
 pub use proof::Proof;
 pub use question::Question;

@@ -6,6 +6,7 @@ use super::implication::implications;
 use super::sensor::Sensor;
 use super::slices::{Pattern, Slices};
 use crate::analysis::breakpoints;
+use crate::analysis::curve::in_units;
 use crate::base::{Exact, Fraction, Id};
 use crate::ir::{self, FailReading, Literal, Program, Rule};
 
@@ -163,6 +164,11 @@ impl Model {
         &self.loose.as_ref().unwrap_or(&self.events)[event]
     }
 
+    /// Whether some degrees are only known within bounds.
+    pub fn is_smooth(&self) -> bool {
+        self.loose.is_some()
+    }
+
     /// Every set of at most `up_to` failures, smallest first.
     pub fn fault_sets(&self, up_to: usize) -> Vec<FaultSet> {
         fault_sets(self.inputs.iter().map(|input| input.fails.as_slice()), up_to)
@@ -189,9 +195,8 @@ impl Input {
         if low > high || !variable.terms.iter().all(|term| breakpoints::in_order(&term.shape)) {
             return None;
         }
-        let pi = if low.is_zero() { high.pi_power() } else { low.pi_power() };
+        let (pi, range) = in_units(feed.range);
         let columns = Columns::new(literals.iter().map(|literal| (variable, *literal)), pi)?;
-        let range = (low.to_fraction(pi), high.to_fraction(pi));
         let failed = feed.fails.iter().map(|&fail| Sensor::failed(&columns, &range, fail, pi));
         let sensors = std::iter::once(Sensor::healthy(&columns, &range)).chain(failed).collect();
         Some(Self { pi, columns, fails: feed.fails.clone(), sensors })

@@ -35,47 +35,69 @@ impl Model {
 
     /// The proof that something never happens under some failures, or `None` if it does.
     pub fn proof(&self, event: usize, faults: &FaultSet, question: Question) -> Option<Proof> {
-        let (event, states) = (self.proving(event, question)?, self.states(faults));
-        let levels = event.levels(&states);
-        let mut problems = Vec::new();
-        for condition in question.conditions(event) {
+        self.proving(event, question)?.proof(&self.states(faults), question)
+    }
+}
+
+impl EventModel {
+    /// The proof that something never happens in some states of the inputs, or `None` if it does.
+    pub(super) fn proof(&self, states: &[usize], question: Question) -> Option<Proof> {
+        let levels = self.levels(states);
+        let mut obstacles = Vec::new();
+        for condition in question.conditions(self) {
             for level in levels.iter().filter(|level| condition.levels.hold(level)) {
-                let problem = Problem::new(event, &states, level);
-                let assumptions = problem.assumptions(event, level, &condition);
-                problems.push((problem, assumptions));
+                let problem = Problem::new(self, states, level);
+                let demanded = problem.assumptions(self, level, &condition);
+                obstacles.push(Obstacle { problem, demanded, because: Vec::new() });
             }
         }
-        let mut never = |inputs: &[usize], rules: &[usize]| {
-            problems.iter_mut().all(|(problem, assumptions)| {
-                let inputs = inputs.iter().map(|&position| problem.inputs_hold[position]);
-                let kept = inputs.chain(rules.iter().map(|&rule| problem.rules_hold[rule]));
-                let all: Vec<Proposition> = kept.chain(assumptions.iter().copied()).collect();
-                !problem.solver.holds(&all)
-            })
-        };
-        let mut inputs: Vec<usize> = (0..event.uses.len()).collect();
-        let mut rules: Vec<usize> = (0..event.rules).collect();
-        if !never(&inputs, &rules) {
+        let all: Vec<usize> = (0..self.uses.len() + self.rules).collect();
+        if !obstacles.iter_mut().all(|obstacle| obstacle.holds_by(&all)) {
             return None;
         }
-        for rule in 0..event.rules {
-            let fewer: Vec<_> = rules.iter().copied().filter(|&kept| kept != rule).collect();
-            if never(&inputs, &fewer) {
-                rules = fewer;
+        let mut kept: Vec<usize> = all;
+        kept.retain(|premise| obstacles.iter().any(|obstacle| obstacle.because.contains(premise)));
+        // Rules go first: an input without rules is no reason at all.
+        let (inputs, rules): (Vec<usize>, Vec<usize>) = kept.iter().partition(|premise| **premise < self.uses.len());
+        for candidate in rules.into_iter().chain(inputs) {
+            let fewer: Vec<_> = kept.iter().copied().filter(|&premise| premise != candidate).collect();
+            let mut concerned = obstacles.iter_mut().filter(|obstacle| obstacle.because.contains(&candidate));
+            if concerned.all(|obstacle| obstacle.holds_by(&fewer)) {
+                kept = fewer;
             }
         }
-        for position in 0..event.uses.len() {
-            let fewer: Vec<_> = inputs.iter().copied().filter(|&kept| kept != position).collect();
-            if never(&fewer, &rules) {
-                inputs = fewer;
-            }
-        }
-        let inputs = inputs.into_iter().map(|position| event.uses[position].input).collect();
-        let holds = |value: &&super::model::Level| {
-            question.conditions(event).iter().any(|condition| condition.levels.hold(value))
+        let (inputs, rules): (Vec<usize>, Vec<usize>) = kept.iter().partition(|premise| **premise < self.uses.len());
+        let inputs = inputs.into_iter().map(|position| self.uses[position].input).collect();
+        let rules = rules.into_iter().map(|premise| premise - self.uses.len()).collect();
+        let is_asked = |level: &&super::model::Level| {
+            question.conditions(self).iter().any(|condition| condition.levels.hold(level))
         };
-        let mut levels: Vec<_> = levels.iter().filter(holds).map(|level| level.value.clone()).collect();
+        let mut levels: Vec<_> = levels.iter().filter(is_asked).map(|level| level.value.clone()).collect();
         levels.sort_unstable();
         Some(Proof { inputs, rules, levels })
+    }
+}
+
+/// One way in which something might happen, and does not.
+struct Obstacle {
+    problem: Problem,
+    demanded: Vec<Proposition>,
+    /// What was needed to see that it does not: positions of inputs in use, then rules, counted on.
+    because: Vec<usize>,
+}
+
+impl Obstacle {
+    /// Whether these premises suffice to see that it does not happen.
+    fn holds_by(&mut self, premises: &[usize]) -> bool {
+        let Problem { solver, inputs_hold, rules_hold, .. } = &mut self.problem;
+        let holds = |premise: usize| {
+            inputs_hold.get(premise).copied().unwrap_or_else(|| rules_hold[premise - inputs_hold.len()])
+        };
+        let assumed: Vec<_> = premises.iter().map(|&premise| holds(premise)).chain(self.demanded.clone()).collect();
+        if solver.holds(&assumed) {
+            return false;
+        }
+        self.because = premises.iter().copied().filter(|&premise| solver.blames(holds(premise))).collect();
+        true
     }
 }

@@ -26,7 +26,7 @@ pub(super) struct Problem {
     /// By rule: its strength is the smallest of its clauses.
     pub(super) rules_hold: Vec<Proposition>,
     /// By input in use: which pattern it has.
-    patterns: Vec<Vec<Proposition>>,
+    pub(super) patterns: Vec<Vec<Proposition>>,
     /// By rule: not below, and above.
     rules: Vec<Compared>,
     contributors: Compared,
@@ -125,7 +125,7 @@ impl Problem {
     }
 
     /// All inputs and rules hold from now on.
-    fn settle(&mut self) {
+    pub(super) fn settle(&mut self) {
         for &holds in self.inputs_hold.iter().chain(&self.rules_hold) {
             self.solver.demand([holds]);
         }
@@ -146,7 +146,7 @@ impl Problem {
         above.into_iter().chain(reaching).chain(below).chain(none_above).collect()
     }
 
-    fn chosen(&self) -> Vec<usize> {
+    pub(super) fn chosen(&self) -> Vec<usize> {
         let chosen = |patterns: &Vec<Proposition>| patterns.iter().position(|&pattern| self.solver.value(pattern));
         self.patterns.iter().map(|patterns| chosen(patterns).unwrap_or(0)).collect()
     }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::columns::Columns;
-use super::curve::Curve;
+use crate::analysis::curve::Curve;
 use crate::analysis::support::Interval;
 use crate::base::Fraction;
 use crate::ir::FailReading;

@@ -4,7 +4,7 @@
 //! literals cross. Between neighbouring heights, in a gap, one level stands for all.
 
 use std::cmp::Ordering;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use super::sensor::{Cell, Sensor};
 use crate::base::Fraction;
@@ -18,7 +18,9 @@ pub(super) struct Slices {
     /// In ascending order, from 0 to 1.
     pub(super) heights: Vec<Fraction>,
     /// The patterns at each height and, in between, in each gap.
-    pub(super) patterns: Vec<Vec<Pattern>>,
+    patterns: Vec<Vec<Pattern>>,
+    /// Which of them some stretch of readings has, not only single ones.
+    wide: Vec<Vec<bool>>,
 }
 
 impl Slices {
@@ -33,17 +35,25 @@ impl Slices {
             let next = heights.get(index + 1);
             [Some((2 * index, height.clone())), next.map(|next| (2 * index + 1, height.halfway(next)))]
         });
-        let patterns = levels.flatten().map(|(rank, level)| ranked.patterns(rank, &level)).collect();
-        Self { heights, patterns }
+        let (patterns, wide) = levels.flatten().map(|(rank, level)| ranked.patterns(rank, &level)).unzip();
+        Self { heights, patterns, wide }
     }
 
     /// The patterns at a level that is one of the heights, or just above it.
     pub(super) fn at(&self, height: &Fraction, is_gap: bool) -> &[Pattern] {
-        let position = match self.heights.binary_search(height) {
+        self.patterns.get(self.position(height, is_gap)).map_or(&[], Vec::as_slice)
+    }
+
+    /// Which of these patterns some stretch of readings has.
+    pub(super) fn wide_at(&self, height: &Fraction, is_gap: bool) -> &[bool] {
+        self.wide.get(self.position(height, is_gap)).map_or(&[], Vec::as_slice)
+    }
+
+    fn position(&self, height: &Fraction, is_gap: bool) -> usize {
+        match self.heights.binary_search(height) {
             Ok(position) => 2 * position + usize::from(is_gap),
             Err(after) => (2 * after).saturating_sub(1),
-        };
-        self.patterns.get(position).map_or(&[], Vec::as_slice)
+        }
     }
 }
 
@@ -90,29 +100,32 @@ impl<'a> Ranked<'a> {
         };
         let mut known = HashSet::new();
         let mut cells: Vec<(&Cell, Vec<_>)> = sensor.cells.iter().map(|cell| (cell, ends(cell))).collect();
-        cells.retain(|(_, ends)| known.insert(ends.clone()));
+        cells.retain(|(cell, ends)| known.insert((cell.is_point(), ends.clone())));
         Self { choices, cells }
     }
 
     /// The patterns at a level with a rank among the heights, even for one of them, odd for a gap.
-    fn patterns(&self, rank: usize, level: &Fraction) -> Vec<Pattern> {
-        let mut found = Vec::new();
-        let mut known = HashSet::new();
-        let mut add = |pattern: Pattern| {
-            if known.insert(pattern.clone()) {
-                found.push(pattern);
-            }
+    fn patterns(&self, rank: usize, level: &Fraction) -> (Vec<Pattern>, Vec<bool>) {
+        let (mut found, mut wide): (Vec<Pattern>, Vec<bool>) = Default::default();
+        let mut known = HashMap::new();
+        let mut add = |pattern: Pattern, is_wide: bool| {
+            let position = *known.entry(pattern).or_insert_with_key(|pattern| {
+                found.push(pattern.clone());
+                wide.push(false);
+                found.len() - 1
+            });
+            wide[position] |= is_wide;
         };
         for (cell, ends) in &self.cells {
             if ends.iter().all(|(from, to)| from.min(to) >= &rank || from.max(to) <= &rank) {
                 // Nothing crosses the level inside the cell; one end at most touches it.
                 let signs = ends.iter().map(|(from, to)| from.cmp(&rank).then(to.cmp(&rank)));
-                add(pattern(self.choices, 0.cmp(&rank), signs));
+                add(pattern(self.choices, 0.cmp(&rank), signs), !cell.is_point());
             } else {
-                for_each_piece(cell, self.choices, level, |pattern, _| add(pattern));
+                for_each_piece(cell, self.choices, level, |pattern, share| add(pattern, share.0 != share.1));
             }
         }
-        found
+        (found, wide)
     }
 }
 

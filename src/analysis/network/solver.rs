@@ -43,6 +43,11 @@ impl Solver {
         self.inner.solve_limited(&self.clause) == lbool::TRUE
     }
 
+    /// Whether the last question needed a proposition, or its negation, to be answered with no.
+    pub(super) fn blames(&self, proposition: Proposition) -> bool {
+        self.inner.unsat_core_contains_var(proposition.0.var())
+    }
+
     /// Whether a proposition holds in the model found last.
     pub(super) fn value(&self, proposition: Proposition) -> bool {
         self.inner.value_lit(proposition.0) == lbool::TRUE

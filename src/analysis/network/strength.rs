@@ -1,5 +1,6 @@
 //! The exact strengths of rules at given readings.
 
+use super::faults::FaultSet;
 use super::model::{EventModel, Model};
 use super::sensor::Sensor;
 use super::witness::Witness;
@@ -34,13 +35,24 @@ impl Model {
     /// Which events are set at some readings; `None` where smooth terms leave it open.
     pub(super) fn flags(&self, states: &[usize], witness: &Witness) -> Option<Vec<bool>> {
         let degrees = self.degrees(states, witness);
-        let flag = |event: &EventModel| {
-            let (contributor, detractor) = event.sides(&degrees);
-            contributor > detractor
-        };
-        let flags: Vec<_> = self.events.iter().map(flag).collect();
-        let is_sure = self.loose.as_ref().is_none_or(|loose| loose.iter().map(flag).eq(flags.iter().copied()));
+        let set = |events: &Vec<EventModel>| events.iter().map(|event| event.is_set(&degrees)).collect::<Vec<_>>();
+        let flags = set(&self.events);
+        let is_sure = self.loose.as_ref().is_none_or(|loose| set(loose) == flags);
         is_sure.then_some(flags)
+    }
+
+    /// How strong each rule of an event is at some readings, a reading for each input that can give one.
+    pub fn strengths(&self, event: usize, faults: &FaultSet, witness: &Witness) -> Vec<Fraction> {
+        let degrees = self.degrees(&self.states(faults), witness);
+        self.events.get(event).map_or_else(Vec::new, |event| event.strengths(&degrees))
+    }
+
+    /// The largest degree at some readings, a reading for each input that can give one, of those terms of an input that
+    /// rules name.
+    pub fn largest_degree(&self, input: usize, faults: &FaultSet, witness: &Witness) -> Option<Fraction> {
+        let degrees = self.degrees(&self.states(faults), witness);
+        let named = self.inputs.get(input)?.columns.literals.iter().zip(degrees.get(input)?);
+        named.filter(|(literal, _)| !literal.negated).map(|(_, degree)| degree.clone()).max()
     }
 }
 
@@ -62,8 +74,14 @@ impl EventModel {
         strengths
     }
 
+    /// Whether the contributor outweighs the detractor, given every literal's degree.
+    pub(super) fn is_set(&self, degrees: &[Vec<Fraction>]) -> bool {
+        let (contributor, detractor) = self.sides(degrees);
+        contributor > detractor
+    }
+
     /// How strong the contributor and the detractor are.
-    pub(super) fn sides(&self, degrees: &[Vec<Fraction>]) -> (Fraction, Fraction) {
+    fn sides(&self, degrees: &[Vec<Fraction>]) -> (Fraction, Fraction) {
         let strengths = self.strengths(degrees);
         let (contributors, detractors) = strengths.split_at(self.contributors);
         let strongest = |rules: &[Fraction]| rules.iter().max().cloned().unwrap_or(Fraction::ZERO);

@@ -75,12 +75,25 @@ impl Model {
 
     /// Whether all clauses of a rule can be above 0 together. Inputs are independent of each other.
     fn can_fire(&self, rule: &[Clause], states: &[usize]) -> bool {
-        rule.iter().all(|(input, _)| {
-            let of_input = rule.iter().filter(|clause| clause.0 == *input);
-            let choices: Vec<_> = of_input.map(|(_, literals)| literals.as_slice()).collect();
-            let slices = Slices::new(&self.inputs[*input].sensors[states[*input]], &choices);
-            slices.at(&Fraction::ZERO, false).iter().any(|pattern| pattern.iter().all(|sign| sign.is_gt()))
-        })
+        let clauses: Vec<_> = rule.iter().map(|(input, literals)| (*input, literals.as_slice())).collect();
+        self.silent(&clauses, states).is_none()
+    }
+
+    /// The input that keeps a rule of an event from ever firing while all is well: what the rule names of it is never
+    /// above 0 together.
+    pub fn silent_input(&self, event: usize, rule: usize) -> Option<usize> {
+        let clauses = self.events.get(event)?.clauses();
+        self.silent(clauses.get(rule)?, &vec![0; self.inputs.len()])
+    }
+
+    fn silent(&self, rule: &[(usize, &[usize])], states: &[usize]) -> Option<usize> {
+        let is_silent = |&input: &usize| {
+            let of_input = rule.iter().filter(|clause| clause.0 == input);
+            let choices: Vec<_> = of_input.map(|(_, literals)| *literals).collect();
+            let slices = Slices::new(&self.inputs[input].sensors[states[input]], &choices);
+            !slices.at(&Fraction::ZERO, false).iter().any(|pattern| pattern.iter().all(|sign| sign.is_gt()))
+        };
+        rule.iter().map(|(input, _)| *input).find(is_silent)
     }
 }
 

@@ -44,6 +44,11 @@ impl Membership {
         Self { absent: Fraction::ZERO, ..whole }
     }
 
+    /// Whether it is known exactly, and not only within bounds.
+    pub(super) fn is_exact(&self) -> bool {
+        self.low == self.high
+    }
+
     fn exact(curve: Curve) -> Self {
         Self { low: curve.clone(), high: curve, absent: Fraction::ZERO }
     }
@@ -344,7 +349,7 @@ mod tests {
         for (shape, value) in shapes() {
             for pi in [0, 1, -1] {
                 // A step has no width.
-                let width = if matches!(shape, Shape::Rise([a, b]) if a == b) { 1.0 } else { 2.1 / 64.0 };
+                let width = if matches!(shape, Shape::Rise([a, b]) if a == b) { 1.0 } else { 2.1 / 32.0 };
                 holds_within(&shape, pi, &value, width);
             }
         }

@@ -1,6 +1,6 @@
 //! Piecewise-linear functions from readings to degrees, with their one-sided limits.
 
-use crate::base::Fraction;
+use crate::base::{Exact, Fraction};
 
 /// Linear between its knots, and constant outside.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,6 +25,12 @@ impl Limits {
     fn map(&self, map: impl Fn(&Fraction) -> Fraction) -> Self {
         Self { before: map(&self.before), at: map(&self.at), after: map(&self.after) }
     }
+}
+
+/// The power of π in whose units the readings of a range are kept, and the range in these units.
+pub(super) fn in_units((low, high): (Exact, Exact)) -> (i8, (Fraction, Fraction)) {
+    let pi = if low.is_zero() { high.pi_power() } else { low.pi_power() };
+    (pi, (low.to_fraction(pi), high.to_fraction(pi)))
 }
 
 impl Curve {
@@ -68,6 +74,25 @@ impl Curve {
             (None, Some((_, limits))) => limits.before.clone(),
             (None, None) => Fraction::ZERO,
         })
+    }
+
+    /// Whether it is equal to another one over a range.
+    pub(super) fn equals(&self, other: &Self, range: &(Fraction, Fraction)) -> bool {
+        let (low, high) = range;
+        self.bends().chain(other.bends()).chain([low, high]).filter(|at| low <= *at && *at <= high).all(|at| {
+            let (one, other) = (self.around(at), other.around(at));
+            one.at == other.at && (at == low || one.before == other.before) && (at == high || one.after == other.after)
+        })
+    }
+
+    /// The lowest and the highest reading of a range at which its degree is largest.
+    pub(super) fn peak(&self, range: &(Fraction, Fraction)) -> (Fraction, Fraction) {
+        let (low, high) = range;
+        let inside = self.bends().chain([low, high]).filter(|at| low <= *at && *at <= high);
+        let degrees: Vec<_> = inside.map(|at| (self.around(at).at, at)).collect();
+        let largest = degrees.iter().map(|(degree, _)| degree).max();
+        let peak = degrees.iter().filter(|(degree, _)| Some(degree) == largest).map(|(_, at)| *at);
+        (peak.clone().min().unwrap_or(low).clone(), peak.max().unwrap_or(high).clone())
     }
 
     /// One minus it.
