@@ -15,4 +15,5 @@ pub mod sema;
 pub mod sim;
 pub mod syntax;
 pub mod trace;
+pub mod verify;
 pub mod view;

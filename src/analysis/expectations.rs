@@ -59,7 +59,8 @@ fn judge(
             [only] if diagram.entry == Some(*only) => Some(entry_alone(expectation, diagram)),
             _ => None,
         },
-        ExpectationKind::Transition { .. } => None,
+        // A property is judged by itself.
+        ExpectationKind::Transition { .. } | ExpectationKind::Claim(_) => None,
     }
 }
 

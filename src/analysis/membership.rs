@@ -365,12 +365,12 @@ mod tests {
                 let not = vec![Part::Shape(shape.clone()), Part::Shape(triangle.clone()), Part::Not(0), last];
                 Shape::Built(not)
             };
-            let width = if step { 1.0 } else { 0.25 };
+            let width = if step { 1.0 } else { 0.26 };
             holds_within(&parts(Part::Any(vec![1, 2])), 0, |x| plain(x).max(1.0 - value(x)), width);
             holds_within(&parts(Part::All(vec![1, 2])), 0, |x| plain(x).min(1.0 - value(x)), width);
             holds_within(&parts(Part::Very(2)), 0, |x| kernel::very(1.0 - value(x)), width);
             holds_within(&parts(Part::Somewhat(0)), 0, |x| kernel::somewhat(value(x)), width);
-            holds_within(&parts(Part::Somewhat(1)), 0, |x| kernel::somewhat(plain(x)), 0.25);
+            holds_within(&parts(Part::Somewhat(1)), 0, |x| kernel::somewhat(plain(x)), 0.26);
         }
         let very =
             Shape::Built(vec![Part::Shape(Shape::Ramp { zero_at: Exact::ZERO, one_at: Exact::ONE }), Part::Not(0)]);

@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum};
 
 use super::flags::AnalysisFlags;
 use super::terminal::{Terminal, exit_code};
-use super::{files, fix};
+use super::{counterexamples, files, fix};
 use crate::report;
 
 /// Report everything that is wrong or doubtful in files.
@@ -19,6 +19,9 @@ pub(super) struct Check {
     /// Change the files where that cannot change behavior, then report what is left
     #[arg(long)]
     fix: bool,
+    /// Write a scenario into a folder for each refuted property, which `lmslc run` then shows
+    #[arg(long, value_name = "DIR")]
+    counterexamples: Option<String>,
     #[command(flatten)]
     flags: AnalysisFlags,
 }
@@ -38,12 +41,9 @@ enum Format {
 }
 
 impl Check {
-    pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
+    pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
         let look = if self.fix { fix::fix } else { files::analyze };
-        let analysis = match look(&self.files, Some(&self.flags), terminal) {
-            Ok(analysis) => analysis,
-            Err(code) => return code,
-        };
+        let analysis = look(&self.files, Some(&self.flags), terminal)?;
         match self.format {
             Format::Human => {
                 terminal.findings(&analysis);
@@ -54,7 +54,12 @@ impl Check {
                         [] => "nothing found".to_owned(),
                         known => format!("nothing found; {} with --verbose", report::summary(known)),
                     };
-                    terminal.note(&format!("{count} {files} checked: {known}"));
+                    let proved = match analysis.proved {
+                        0 => String::new(),
+                        1 => ", 1 property proved".to_owned(),
+                        count => format!(", {count} properties proved"),
+                    };
+                    terminal.note(&format!("{count} {files} checked: {known}{proved}"));
                 }
             }
             Format::Short => Terminal::print(&report::short(&terminal.worth_saying(&analysis), &analysis.sources)),
@@ -62,6 +67,9 @@ impl Check {
             Format::Github => Terminal::print(&report::github(&terminal.worth_saying(&analysis), &analysis.sources)),
             Format::Json => Terminal::print(&report::json(&analysis.findings, &analysis.sources)),
         }
-        exit_code(&analysis)
+        if let Some(folder) = &self.counterexamples {
+            counterexamples::write(&analysis, folder, terminal)?;
+        }
+        Ok(exit_code(&analysis))
     }
 }

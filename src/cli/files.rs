@@ -58,7 +58,8 @@ pub(super) fn analyze(paths: &[String], flags: Option<&AnalysisFlags>, terminal:
         }
     }
     let levels = config::levels(roots.first().map_or("", String::as_str), terminal)?;
-    let mut options = Options { levels, ..Options::default() };
+    // What is run watches its properties instead: one that is refuted may well be run, to see why.
+    let mut options = Options { levels, verify: flags.is_some(), ..Options::default() };
     if let Some(flags) = flags {
         flags.apply(&mut options, terminal)?;
     }

@@ -7,6 +7,7 @@
 mod build;
 mod check;
 mod config;
+mod counterexamples;
 mod eval;
 mod explain;
 mod faults;
@@ -98,7 +99,7 @@ pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let terminal = Terminal::new(arguments.color, arguments.least());
     let code = match arguments.command {
-        Command::Check(check) => Ok(check.execute(&terminal)),
+        Command::Check(check) => check.execute(&terminal),
         Command::Run(run) => run.execute(&terminal),
         Command::Test(test) => test.execute(&terminal),
         Command::Eval(eval) => eval.execute(&terminal),

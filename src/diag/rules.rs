@@ -153,6 +153,8 @@ rules! {
     BAD_PLACEMENT "LM0801" "bad-placement" Error "a scenario whose bodies overlap at the start"
     NO_SCENARIO "LM0802" "no-scenario" Error "a file without a scenario to run"
     RUN_TOO_LONG "LM0803" "run-too-long" Error "a scenario with more ticks than can be recorded"
+    PROPERTY_REFUTED "LM0804" "property-refuted" Error "a property that some run of the behavior breaks"
+    PROPERTY_UNDECIDED "LM0805" "property-undecided" Info "a property that is neither proved nor refuted"
     NEVER_FAILS "LM0806" "expectation-never-fails" Warning "an expectation that no run can miss"
     WINDOW_OUTSIDE_RUN "LM0807" "window-outside-run" Warning "a fault or an expectation in a time that no tick lies in"
 

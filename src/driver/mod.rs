@@ -1,6 +1,6 @@
 //! The pipeline on one screen: files in, findings and a checked program out.
 //!
-//! Imports: analysis, base, diag, ir, plan, sema, sim, syntax
+//! Imports: analysis, base, diag, ir, plan, sema, sim, syntax, verify
 //! Crates: –
 
 mod library;
@@ -11,7 +11,7 @@ pub use load::{FileError, Files};
 
 use crate::base::{FileId, Sources};
 use crate::diag::{self, Diagnostic, Levels, Severity, Suppressions};
-use crate::{analysis, ir, plan, sema, sim};
+use crate::{analysis, ir, plan, sema, sim, verify};
 
 /// How to look at a compilation.
 #[derive(Debug, Clone)]
@@ -20,11 +20,13 @@ pub struct Options {
     pub levels: Levels,
     /// The most sensors that are looked at as failed together.
     pub faults: usize,
+    /// Whether properties are proved or refuted. A refuted one is an error, and a program with errors is not run.
+    pub verify: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { levels: Levels::default(), faults: 1 }
+        Self { levels: Levels::default(), faults: 1, verify: true }
     }
 }
 
@@ -41,6 +43,10 @@ pub struct Analysis {
     pub program: ir::Program,
     /// What was found, sorted by place.
     pub findings: Vec<Diagnostic>,
+    /// How many properties are proved.
+    pub proved: usize,
+    /// Scenarios that show the refuted ones.
+    pub counterexamples: Vec<verify::Counterexample>,
 }
 
 impl Analysis {
@@ -62,15 +68,21 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     let (program, mut lowering) = sema::lower(&units, &sources);
     library::suggest(&mut lowering, &sources);
     findings.extend(lowering);
-    findings.extend(analysis::run(&program, options.faults, |file| !library::holds(&sources, file)));
+    let matters = |file| !library::holds(&sources, file);
+    findings.extend(analysis::run(&program, options.faults, matters));
     findings.extend(sim::placements(&program));
+    let is_broken = findings.iter().any(|finding| finding.severity == Severity::Error);
+    let checked = plan::Checked::new(&program, &sources, &findings).filter(|_| options.verify);
+    let verified = checked.map(|checked| verify::properties(checked, options.faults, matters)).unwrap_or_default();
+    let verify::Verified { findings: unproved, proved, counterexamples } = verified;
+    findings.extend(unproved);
     let suppressions = Suppressions::collect(&sources, &mut findings);
     findings.extend(suppressions.unused(&findings, &sources));
-    if findings.iter().any(|finding| finding.severity == Severity::Error) {
+    if is_broken {
         // What seems unused may be for the part that is broken.
         findings.retain(|finding| !finding.rule.name.starts_with("unused-"));
     }
     options.levels.apply(&mut findings, &suppressions);
     diag::sort(&mut findings);
-    Analysis { roots, sources, units, program, findings }
+    Analysis { roots, sources, units, program, findings, proved, counterexamples }
 }

@@ -49,6 +49,17 @@ pub enum Taken {
     },
 }
 
+/// All that the next ticks depend on besides their inputs, times only as far as the next tick can tell.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Phase {
+    mode: u32,
+    /// Whether each timer will have expired on the next tick.
+    expired: Vec<Option<bool>>,
+    memories: Vec<bool>,
+    latches: Vec<bool>,
+    counters: Vec<u32>,
+}
+
 /// A diagram being run. `step` allocates nothing.
 #[derive(Debug, Clone)]
 pub struct Machine<'p> {
@@ -114,6 +125,31 @@ impl<'p> Machine<'p> {
         self.call(self.current().actions.clone(), target.is_some(), actuators);
         self.run(plan.watch.clone(), inputs, dt);
         taken
+    }
+
+    /// Where it is, for a next tick `dt` nanoseconds later. Two machines of one plan in one phase do the same on it.
+    pub fn phase(&self, dt: u64) -> Phase {
+        let (memories, latches, counters) = self.memory.past();
+        Phase {
+            mode: self.mode,
+            expired: self.timers().map(|left| left.map(|left| left <= dt)).collect(),
+            memories: memories.to_vec(),
+            latches: latches.to_vec(),
+            counters: counters.to_vec(),
+        }
+    }
+
+    /// Nanoseconds until the next timer expires, if one runs.
+    pub fn next_expiry(&self) -> Option<u64> {
+        self.timers().flatten().filter(|left| *left > 0).min()
+    }
+
+    /// What is left on the timer of every step that may run while the mode lasts.
+    fn timers(&self) -> impl Iterator<Item = Option<u64>> {
+        let Plan { code, fuse, watch, transitions, .. } = self.plan;
+        let exits = transitions[range(&self.current().transitions)].iter().map(|exit| &exit.steps);
+        let steps = [fuse, watch].into_iter().chain(exits).flat_map(|steps| &code.steps[range(steps)]);
+        steps.map(|step| self.memory.left(step))
     }
 
     fn current(&self) -> &'p crate::plan::Mode {

@@ -50,6 +50,23 @@ impl Memory {
         self.latches.fill(false);
     }
 
+    /// Nanoseconds until the timer of a step expires, 0 where it has; `None` where none is running.
+    pub(super) fn left(&self, step: &Step) -> Option<u64> {
+        match *step {
+            Step::After { duration, .. } => Some(duration.saturating_sub(self.dwell)),
+            Step::Lasts { duration, stopwatch, .. } | Step::Hold { duration, stopwatch, .. } => {
+                let Stopwatch { running, elapsed } = self.stopwatches[stopwatch as usize];
+                running.then(|| duration.saturating_sub(elapsed))
+            }
+            _ => None,
+        }
+    }
+
+    /// What is remembered from tick to tick, besides times.
+    pub(super) fn past(&self) -> (&[bool], &[bool], &[u32]) {
+        (&self.memories, &self.latches, &self.counters)
+    }
+
     pub(super) fn run(
         &mut self,
         code: &Code,

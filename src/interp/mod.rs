@@ -7,5 +7,5 @@ mod machine;
 mod memory;
 mod network;
 
-pub use machine::{Actuators, Inputs, Machine, Reading, Taken};
+pub use machine::{Actuators, Inputs, Machine, Phase, Reading, Taken};
 pub use network::Evaluator;

@@ -16,9 +16,12 @@ pub use robot::{
     Action, Body, BodyArgument, BodyCommand, BodyCommandKind, DifferentialDrive, Interface, Parameter, Robot, Sensor,
     SensorSource,
 };
-pub use trial::{BoxBody, Expectation, ExpectationKind, Fault, FaultReading, Placement, Scenario, Wall, Window, World};
+pub use trial::{
+    BoxBody, Claim, Expectation, ExpectationKind, Fault, FaultReading, Placement, Property, Response, Scenario, Wall,
+    Window, World,
+};
 
-use crate::base::{Arena, Span};
+use crate::base::{Arena, Id, Span};
 
 /// Everything a compilation declares.
 #[derive(Debug, Clone, Default)]
@@ -41,8 +44,20 @@ pub struct Program {
     pub worlds: Arena<World>,
     /// Scenarios.
     pub scenarios: Arena<Scenario>,
+    /// Properties.
+    pub properties: Arena<Property>,
     /// Conditions, post-order: operands stand before what uses them.
     pub exprs: Arena<Expr>,
+}
+
+impl Program {
+    /// The sensors that a diagram on a robot or an interface can look at.
+    pub fn sensors_of(&self, platform: Platform) -> &[Id<Sensor>] {
+        match platform {
+            Platform::Robot(robot) => &self.robots[robot].sensors,
+            Platform::Interface(interface) => &self.interfaces[interface].sensors,
+        }
+    }
 }
 
 /// The name and place of a declaration.

@@ -1,4 +1,4 @@
-//! What tries a behavior: worlds, and scenarios with their faults and expectations.
+//! What tries a behavior: worlds, scenarios with their faults and expectations, and properties.
 
 use super::{Diagram, Expr, Mode, Robot, Sensor, Symbol};
 use crate::base::{Id, Span};
@@ -84,8 +84,13 @@ pub struct Scenario {
     pub goal: Option<[f64; 2]>,
     /// What goes wrong, in order; of two faults of one sensor the later one counts.
     pub faults: Vec<Fault>,
-    /// What is expected, in order.
+    /// What is expected, in order; then the properties of the diagram that its file declares or imports.
     pub expectations: Vec<Expectation>,
+}
+
+impl Scenario {
+    /// Nanoseconds between ticks where a scenario does not say.
+    pub const DEFAULT_TICK: u64 = 10_000_000;
 }
 
 /// A sensor that goes wrong.
@@ -134,7 +139,7 @@ impl Window {
 /// What a scenario expects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expectation {
-    /// As written, without `expect`, on one line.
+    /// As written, without `expect`, on one line; a property with `property` and its name.
     pub text: String,
     /// What it means.
     pub kind: ExpectationKind,
@@ -162,4 +167,54 @@ pub enum ExpectationKind {
     Never(Id<Expr>, Window),
     /// The condition holds on every tick of the window.
     Always(Id<Expr>, Window),
+    /// The run keeps what a property claims of all.
+    Claim(Claim),
+}
+
+/// A claim over all runs of a diagram.
+#[derive(Debug, Clone)]
+pub struct Property {
+    /// Its name.
+    pub symbol: Symbol,
+    /// The diagram it speaks of.
+    pub diagram: Id<Diagram>,
+    /// What it claims.
+    pub claim: Claim,
+    /// The claim as written, on one line.
+    pub text: String,
+    /// The whole declaration.
+    pub span: Span,
+}
+
+/// What a property claims. Its conditions are those of the end of a tick, as in expectations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Claim {
+    /// The condition holds on no tick.
+    Never(Id<Expr>),
+    /// The condition holds on every tick.
+    Always(Id<Expr>),
+    /// Every cause is answered by its effect in time.
+    LeadsTo(Response),
+}
+
+impl Claim {
+    /// What it looks at, in order.
+    pub fn conditions(self) -> Vec<Id<Expr>> {
+        match self {
+            Self::Never(condition) | Self::Always(condition) => vec![condition],
+            Self::LeadsTo(response) => vec![response.cause, response.effect],
+        }
+    }
+}
+
+/// Each tick on which the cause holds is followed by one on which the effect does, at the latest by the first on which
+/// at least `within` has passed: as for `after`, time is seen to have passed on a tick.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Response {
+    /// What asks for the effect.
+    pub cause: Id<Expr>,
+    /// What answers it; on the same tick already, if it holds then.
+    pub effect: Id<Expr>,
+    /// Nanoseconds, above 0.
+    pub within: u64,
 }

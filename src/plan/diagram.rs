@@ -12,20 +12,38 @@ pub fn build_scenario(checked: Checked<'_>, scenario: &ir::Scenario) -> Plan {
     let watched: Vec<_> = scenario
         .expectations
         .iter()
-        .filter_map(|expectation| match expectation.kind {
+        .flat_map(|expectation| match expectation.kind {
             ir::ExpectationKind::Within(condition, _)
             | ir::ExpectationKind::Never(condition, _)
-            | ir::ExpectationKind::Always(condition, _) => Some(condition),
-            ir::ExpectationKind::Modes(_) | ir::ExpectationKind::Transition { .. } => None,
+            | ir::ExpectationKind::Always(condition, _) => vec![condition],
+            ir::ExpectationKind::Claim(claim) => claim.conditions(),
+            ir::ExpectationKind::Modes(_) | ir::ExpectationKind::Transition { .. } => Vec::new(),
         })
         .collect();
     build(checked, scenario.diagram, scenario.robot, &watched)
 }
 
+/// The plan of a diagram on what it is written on, watching some conditions: a robot, or one that has what the interface
+/// promises and nothing else. Linear in their size.
+pub fn build_alone(checked: Checked<'_>, diagram: Id<ir::Diagram>, watched: &[Id<ir::Expr>]) -> Plan {
+    let diagram = &checked.program.diagrams[diagram];
+    match diagram.platform {
+        ir::Platform::Robot(robot) => on_robot(checked, diagram, &checked.program.robots[robot], watched),
+        ir::Platform::Interface(interface) => {
+            let ir::Interface { symbol, sensors, actions } = checked.program.interfaces[interface].clone();
+            let robot = ir::Robot { symbol, provides: vec![interface], body: None, sensors, actions };
+            on_robot(checked, diagram, &robot, watched)
+        }
+    }
+}
+
 /// The plan of a diagram on a robot that it is written for, watching some conditions. Linear in their size.
 pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot>, watched: &[Id<ir::Expr>]) -> Plan {
+    on_robot(checked, &checked.program.diagrams[diagram], &checked.program.robots[robot], watched)
+}
+
+fn on_robot(checked: Checked<'_>, diagram: &ir::Diagram, robot: &ir::Robot, watched: &[Id<ir::Expr>]) -> Plan {
     let program = checked.program;
-    let (diagram, robot) = (&program.diagrams[diagram], &program.robots[robot]);
     let platform = Platform { program, robot };
     let input_of = |sensor| platform.input(sensor);
     let mut builder = Builder::new(program);

@@ -8,7 +8,7 @@ mod diagram;
 mod network;
 mod types;
 
-pub use diagram::{build, build_scenario};
+pub use diagram::{build, build_alone, build_scenario};
 pub use network::build_network;
 pub use types::*;
 

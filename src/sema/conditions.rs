@@ -32,7 +32,7 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    fn names(&self) -> impl Iterator<Item = &str> + Clone {
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> + Clone {
         self.events.keys().chain(self.flags.keys()).chain(self.modes.keys()).map(String::as_str)
     }
 }
@@ -58,6 +58,31 @@ enum Operand<'e> {
 }
 
 impl Lower<'_> {
+    /// What is said of a diagram from outside: it may also name the modes.
+    pub(super) fn watched_scene(&self, id: Id<ir::Diagram>, sensors: Vec<Id<ir::Sensor>>) -> Scene {
+        let diagram = &self.program.diagrams[id];
+        let mut scene = Scene { sensors, incomplete: self.poison.diagrams.contains(&id), ..Scene::default() };
+        for name in self.poison.flags.get(&id).into_iter().flatten() {
+            scene.flags.insert(name.clone(), None);
+        }
+        for (id, mode) in diagram.modes.iter() {
+            scene.modes.insert(mode.symbol.name.clone(), id);
+        }
+        for (id, flag) in diagram.flags.iter() {
+            scene.flags.insert(flag.symbol.name.clone(), Some(id));
+            scene.flag_places.push(flag.symbol.span);
+        }
+        for (position, sense) in diagram.senses.iter().enumerate() {
+            scene.senses.insert(sense.symbol.name.clone(), position as u32);
+            scene.sense_places.push(sense.symbol.span);
+            for (event, declared) in self.program.networks[sense.network].events.iter().enumerate() {
+                let place = (position as u32, event as u32);
+                scene.events.entry(declared.symbol.name.clone()).or_default().push(place);
+            }
+        }
+        scene
+    }
+
     /// A condition; poison where it is broken, which was reported.
     pub(super) fn condition(&mut self, tree: &ast::Expr, scene: &Scene) -> Id<Expr> {
         let id = self.expr(tree, scene);

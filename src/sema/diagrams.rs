@@ -345,7 +345,7 @@ fn circular_flags(names: &[&ast::Name]) -> Diagnostic {
 }
 
 /// The simple names in a condition. Recursion is as deep as parentheses, which the parser limits.
-fn collect_names<'e>(expr: &'e ast::Expr, names: &mut Vec<&'e str>) {
+pub(super) fn collect_names<'e>(expr: &'e ast::Expr, names: &mut Vec<&'e str>) {
     match &expr.kind {
         ast::ExprKind::Path(path) => {
             if let [name] = path.segments.as_slice() {

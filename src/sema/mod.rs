@@ -8,6 +8,7 @@ mod diagrams;
 mod extends;
 mod fusion;
 mod modes;
+mod properties;
 mod quantities;
 mod robots;
 mod rules;
@@ -62,6 +63,8 @@ pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
     for phase in [Phase::Variables, Phase::Networks, Phase::Interfaces, Phase::Robots, Phase::Worlds, Phase::Diagrams] {
         lower.run(phase);
     }
+    lower.run(Phase::Properties);
+    lower.monitors();
     lower.run(Phase::Scenarios);
     lower.unused_imports();
     lower.unused();
@@ -80,6 +83,7 @@ enum Phase {
     Robots,
     Worlds,
     Diagrams,
+    Properties,
     Scenarios,
 }
 
@@ -124,15 +128,13 @@ impl<'a> Lower<'a> {
                     (Phase::Robots, ast::Item::Robot(robot)) => self.robot(robot),
                     (Phase::Worlds, ast::Item::World(world)) => self.world(world),
                     (Phase::Diagrams, ast::Item::Diagram(diagram)) => self.diagram(diagram),
+                    (Phase::Properties, ast::Item::Property(property)) => self.property(property),
                     (Phase::Scenarios, ast::Item::Scenario(scenario)) => self.scenario(scenario),
                     (Phase::Variables, ast::Item::Arbiter(ast::Arbiter { name, .. })) => {
                         self.report(not_supported(name.span, "an arbiter"));
                     }
                     (Phase::Variables, ast::Item::Team(ast::Team { name, .. })) => {
                         self.report(not_supported(name.span, "a team"));
-                    }
-                    (Phase::Variables, ast::Item::Property(ast::Property { name, .. })) => {
-                        self.report(not_supported(name.span, "a property"));
                     }
                     _ => {}
                 }
@@ -163,6 +165,11 @@ impl<'a> Lower<'a> {
         let help = room.and_then(|_| near());
         let message = format!("no {what} is named `{}`", name.text);
         Diagnostic::new(&diag::rules::UNKNOWN_NAME, name.span, message).help_maybe(help)
+    }
+
+    /// The text of a declaration or an item.
+    fn on_one_line(&self, span: Span) -> String {
+        self.sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
     /// Reports a second thing where there may be one; keeps the first.

@@ -11,9 +11,6 @@ use crate::diag::{self, Diagnostic};
 use crate::ir::{self, Window};
 use crate::syntax::ast;
 
-/// Nanoseconds between ticks where a scenario does not say.
-const DEFAULT_TICK: u64 = 10_000_000;
-
 /// What a scenario and those it extends say, the later word standing.
 #[derive(Default)]
 struct Parts<'a> {
@@ -62,7 +59,7 @@ impl<'a> Lower<'a> {
         };
         let tick = match parts.tick {
             Some((tick, _)) => self.positive_nanoseconds(tick, "a tick"),
-            None => Some(DEFAULT_TICK),
+            None => Some(ir::Scenario::DEFAULT_TICK),
         };
         let seed = parts.seed.map_or(Some(1), |(seed, _)| self.whole(seed, 0, "a seed"));
         let start = match parts.start {
@@ -84,7 +81,8 @@ impl<'a> Lower<'a> {
             boxes.extend(lowered);
         }
         let faults = parts.faults.iter().filter_map(|fault| self.fault(fault, robot)).collect();
-        let expectations = self.expectations(&parts.expectations, diagram, robot);
+        let mut expectations = self.expectations(&parts.expectations, diagram, robot);
+        expectations.extend(self.monitored(tree.name.span.file, diagram));
         // What was wrong has been reported; a scenario with a gap is not run.
         if self.poison.robots.contains(&robot) {
             return;
@@ -253,28 +251,8 @@ impl<'a> Lower<'a> {
         diagram: Id<ir::Diagram>,
         robot: Id<ir::Robot>,
     ) -> Vec<ir::Expectation> {
-        let id = diagram;
-        let diagram = &self.program.diagrams[id];
         let sensors = self.program.robots[robot].sensors.clone();
-        let mut scene = Scene { sensors, incomplete: self.poison.diagrams.contains(&id), ..Scene::default() };
-        for name in self.poison.flags.get(&id).into_iter().flatten() {
-            scene.flags.insert(name.clone(), None);
-        }
-        for (id, mode) in diagram.modes.iter() {
-            scene.modes.insert(mode.symbol.name.clone(), id);
-        }
-        for (id, flag) in diagram.flags.iter() {
-            scene.flags.insert(flag.symbol.name.clone(), Some(id));
-            scene.flag_places.push(flag.symbol.span);
-        }
-        for (position, sense) in diagram.senses.iter().enumerate() {
-            scene.senses.insert(sense.symbol.name.clone(), position as u32);
-            scene.sense_places.push(sense.symbol.span);
-            for (event, declared) in self.program.networks[sense.network].events.iter().enumerate() {
-                let place = (position as u32, event as u32);
-                scene.events.entry(declared.symbol.name.clone()).or_default().push(place);
-            }
-        }
+        let scene = self.watched_scene(diagram, sensors);
         let modes: HashMap<&str, _> = scene.modes.iter().map(|(name, &id)| (name.as_str(), id)).collect();
         trees.iter().filter_map(|tree| self.expectation(tree, &scene, &modes)).collect()
     }
@@ -303,8 +281,7 @@ impl<'a> Lower<'a> {
                 ir::ExpectationKind::Always(condition, self.window(window)?)
             }
         };
-        let written = self.sources.slice(tree.span).trim_start_matches("expect");
-        let text = written.split_whitespace().collect::<Vec<_>>().join(" ");
+        let text = self.on_one_line(tree.span).trim_start_matches("expect ").to_owned();
         Some(ir::Expectation { text, kind, span: tree.span })
     }
 

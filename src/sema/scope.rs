@@ -27,6 +27,7 @@ pub(super) enum Declared<'a> {
     Diagram(&'a ast::Diagram),
     World(&'a ast::World),
     Scenario(&'a ast::Scenario),
+    Property(&'a ast::Property),
     /// Something whose meaning is not implemented yet.
     Later(&'static str),
 }
@@ -45,6 +46,7 @@ impl Declared<'_> {
             },
             Self::World(_) => "world",
             Self::Scenario(_) => "scenario",
+            Self::Property(_) => "property",
             Self::Later(kind) => kind,
         }
     }
@@ -63,12 +65,19 @@ pub(super) struct Scopes<'a> {
     used: HashSet<(FileId, FileId)>,
     /// Files with an import that led nowhere.
     incomplete: HashSet<FileId>,
+    /// The diagrams that each file declares or, where it declares none, those of its imports; in the order of the text.
+    pub(super) choices: HashMap<FileId, Vec<&'a ast::Diagram>>,
+    /// The properties that each file declares or imports, in the order of the text.
+    claims: HashMap<FileId, Vec<&'a ast::Property>>,
     pub(super) variables: HashMap<Span, Id<ir::Variable>>,
     pub(super) networks: HashMap<Span, Id<ir::Network>>,
     pub(super) interfaces: HashMap<Span, Id<ir::Interface>>,
     pub(super) robots: HashMap<Span, Id<ir::Robot>>,
     pub(super) diagrams: HashMap<Span, Id<ir::Diagram>>,
     pub(super) worlds: HashMap<Span, Id<ir::World>>,
+    pub(super) properties: HashMap<Span, Id<ir::Property>>,
+    /// For the scenarios of a file that run a diagram: the properties of it that the file declares or imports.
+    pub(super) monitored: HashMap<(FileId, Id<ir::Diagram>), Vec<Id<ir::Property>>>,
 }
 
 impl<'a> Scopes<'a> {
@@ -98,8 +107,15 @@ impl<'a> Scopes<'a> {
         }
         let imports = |unit: &Unit| unit.tree.items.iter().filter(|item| matches!(item, ast::Item::Import(_))).count();
         let incomplete = units.iter().filter(|unit| unit.imports.len() < imports(unit)).map(|unit| unit.file).collect();
+        let (mut choices, mut claims) = (HashMap::new(), HashMap::new());
+        for (file, scope) in &files {
+            choices.insert(*file, diagrams(*file, scope));
+            claims.insert(*file, properties(scope));
+        }
         Self {
             files,
+            choices,
+            claims,
             used: HashSet::new(),
             incomplete,
             variables: HashMap::new(),
@@ -108,6 +124,8 @@ impl<'a> Scopes<'a> {
             robots: HashMap::new(),
             diagrams: HashMap::new(),
             worlds: HashMap::new(),
+            properties: HashMap::new(),
+            monitored: HashMap::new(),
         }
     }
 }
@@ -125,7 +143,7 @@ fn own_names<'a>(tree: &'a ast::File, diagnostics: &mut Vec<Diagnostic>) -> Hash
             ast::Item::Scenario(item) => (&item.name, Declared::Scenario(item)),
             ast::Item::Arbiter(item) => (&item.name, Declared::Later("arbiter")),
             ast::Item::Team(item) => (&item.name, Declared::Later("team")),
-            ast::Item::Property(item) => (&item.name, Declared::Later("property")),
+            ast::Item::Property(item) => (&item.name, Declared::Property(item)),
             ast::Item::Import(_) | ast::Item::Error(_) => continue,
         };
         match scope.get(name.text.as_str()) {
@@ -136,6 +154,28 @@ fn own_names<'a>(tree: &'a ast::File, diagnostics: &mut Vec<Diagnostic>) -> Hash
         }
     }
     scope
+}
+
+fn diagrams<'a>(file: FileId, scope: &HashMap<&str, Entry<'a>>) -> Vec<&'a ast::Diagram> {
+    let diagrams = scope.values().filter_map(|entry| match entry.declared {
+        Declared::Diagram(diagram) => Some(diagram),
+        _ => None,
+    });
+    let is_own = |diagram: &&ast::Diagram| diagram.name.span.file == file;
+    let (own, imported): (Vec<_>, Vec<_>) = diagrams.partition(is_own);
+    let mut found = if own.is_empty() { imported } else { own };
+    found.sort_by_key(|diagram| diagram.name.span);
+    found
+}
+
+fn properties<'a>(scope: &HashMap<&str, Entry<'a>>) -> Vec<&'a ast::Property> {
+    let properties = scope.values().filter_map(|entry| match entry.declared {
+        Declared::Property(property) => Some(property),
+        _ => None,
+    });
+    let mut found: Vec<_> = properties.collect();
+    found.sort_by_key(|property| property.name.span);
+    found
 }
 
 fn clash(name: &str, import: Span, first: Span, second: Span) -> Diagnostic {
@@ -178,8 +218,7 @@ impl<'a> Lower<'a> {
             self.scopes.used.insert((name.span.file, entry.span.file));
             return Some(entry.declared);
         }
-        // An import that led nowhere may have been the one that declares it.
-        if self.scopes.incomplete.contains(&name.span.file) {
+        if self.lacks_imports(name.span.file) {
             return None;
         }
         let fitting = scope.iter().filter(|(_, entry)| entry.declared.kind() == what).map(|(name, _)| *name);
@@ -194,6 +233,27 @@ impl<'a> Lower<'a> {
         }
         self.report(diagnostic);
         None
+    }
+
+    /// Finds what scenarios monitor; to be called when all properties have been lowered.
+    pub(super) fn monitors(&mut self) {
+        for (file, claims) in &self.scopes.claims {
+            for claim in claims {
+                let Some(&id) = self.scopes.properties.get(&claim.name.span) else { continue };
+                let of_scenarios = (*file, self.program.properties[id].diagram);
+                self.scopes.monitored.entry(of_scenarios).or_default().push(id);
+            }
+        }
+    }
+
+    /// Whether an import of a file led nowhere: it may have been the one that declares what is missing.
+    pub(super) fn lacks_imports(&self, file: FileId) -> bool {
+        self.scopes.incomplete.contains(&file)
+    }
+
+    /// Notes that something of a file is used in another, though its name is not written there.
+    pub(super) fn uses(&mut self, file: FileId, of: FileId) {
+        self.scopes.used.insert((file, of));
     }
 
     /// The import that brings a file's declarations into another one, where it is of the library or beside it.

@@ -1,7 +1,7 @@
 //! Whether a run was what its scenario expects.
 
 use crate::base::Span;
-use crate::ir::{self, ExpectationKind, Window};
+use crate::ir::{self, Claim, ExpectationKind, Window};
 use crate::trace::Trace;
 
 /// What became of one expectation.
@@ -17,8 +17,8 @@ pub struct Verdict {
     pub span: Span,
 }
 
-/// Judges every expectation of a scenario by its trace. `held` says for each expectation that has a condition, in
-/// order, on which ticks the condition held. Linear in the ticks for each expectation.
+/// Judges every expectation of a scenario by its trace. `held` says for each condition of the expectations, in order,
+/// on which ticks it held. Linear in the ticks for each expectation.
 pub fn judge(scenario: &ir::Scenario, trace: &Trace, held: &[Vec<bool>]) -> Vec<Verdict> {
     let mut conditions = held.iter();
     let verdicts = scenario.expectations.iter().map(|expectation| {
@@ -29,6 +29,11 @@ pub fn judge(scenario: &ir::Scenario, trace: &Trace, held: &[Vec<bool>]) -> Vec<
             ExpectationKind::Within(_, window) => within(trace, condition(), *window),
             ExpectationKind::Never(_, window) => never(trace, condition(), *window),
             ExpectationKind::Always(_, window) => always(trace, condition(), *window),
+            ExpectationKind::Claim(Claim::Never(_)) => never(trace, condition(), Window::WHOLE),
+            ExpectationKind::Claim(Claim::Always(_)) => always(trace, condition(), Window::WHOLE),
+            ExpectationKind::Claim(Claim::LeadsTo(response)) => {
+                leads_to(trace, condition(), condition(), response.within)
+            }
         };
         Verdict { text: expectation.text.clone(), passed, seen, span: expectation.span }
     });
@@ -81,6 +86,30 @@ fn always(trace: &Trace, held: &[bool], window: Window) -> (bool, String) {
         Some(time) => (false, format!("did not hold at {}", seconds(time))),
         None => (true, "always held".to_owned()),
     }
+}
+
+/// The earliest cause that is not answered yet decides: it is the first to be late.
+fn leads_to(trace: &Trace, cause: &[bool], effect: &[bool], within: u64) -> (bool, String) {
+    let mut since = None;
+    let mut longest = None;
+    for ((&time, &cause), &effect) in trace.times.iter().zip(cause).zip(effect) {
+        if cause {
+            since = since.or(Some(time));
+        }
+        let Some(start) = since else { continue };
+        if effect {
+            longest = longest.max(Some(time - start));
+            since = None;
+        } else if time - start >= within {
+            return (false, format!("nothing by {} answered what held at {}", seconds(time), seconds(start)));
+        }
+    }
+    let seen = match (longest, since) {
+        (Some(longest), _) => format!("answered after {} at most", seconds(longest)),
+        (None, Some(_)) => "not answered by the end, but not late either".to_owned(),
+        (None, None) => "nothing to answer".to_owned(),
+    };
+    (true, seen)
 }
 
 /// The first tick of the window on which a condition has the wanted value, in nanoseconds.
@@ -173,6 +202,29 @@ mod tests {
         assert_eq!(verdict(Never(id, window(0, 2)), &held), (false, "held at 1 s".to_owned()));
         assert_eq!(verdict(Always(id, window(1, 1)), &held), (true, "always held".to_owned()));
         assert_eq!(verdict(Always(id, window(1, 2)), &held), (false, "did not hold at 2 s".to_owned()));
+    }
+
+    #[test]
+    fn every_cause_is_answered_in_time() {
+        let answer = |cause: [bool; 3], effect: [bool; 3], within: u64| {
+            let response = ir::Response { cause: Id::new(0), effect: Id::new(1), within: within * 1_000_000_000 };
+            let kind = ExpectationKind::Claim(Claim::LeadsTo(response));
+            let expectation = Expectation { text: String::new(), kind, span: Span::default() };
+            let scenario = ir::Scenario { expectations: vec![expectation], ..scenario() };
+            let verdict = judge(&scenario, &trace(), &[cause.to_vec(), effect.to_vec()]).remove(0);
+            (verdict.passed, verdict.seen)
+        };
+        let (never, first, last) = ([false; 3], [true, false, false], [false, false, true]);
+        assert_eq!(answer(never, never, 1), (true, "nothing to answer".to_owned()));
+        assert_eq!(answer([true; 3], [true; 3], 1), (true, "answered after 0 s at most".to_owned()));
+        // On the tick of the limit it is still in time.
+        assert_eq!(answer(first, last, 2), (true, "answered after 2 s at most".to_owned()));
+        assert_eq!(answer(first, last, 1), (false, "nothing by 1 s answered what held at 0 s".to_owned()));
+        assert_eq!(answer(first, never, 3), (true, "not answered by the end, but not late either".to_owned()));
+        // The earliest cause counts, and one answer is for all.
+        assert!(!answer([true; 3], never, 2).0);
+        assert!(answer([true, true, false], last, 2).0);
+        assert!(!answer([true, true, false], first, 1).0);
     }
 
     #[test]

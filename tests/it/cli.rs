@@ -807,3 +807,41 @@ fn every_command_says_what_it_is_for() {
     let version = project.run(&["--version"]);
     assert_eq!(version.out, format!("lmslc {}\n", env!("CARGO_PKG_VERSION")));
 }
+
+const REFUTED: &str = "\
+import std.behaviors.obstacle_manipulation
+
+property no_push: never push
+property turns: stop leads to random_turn within 2 s
+property calm: always not failed(contact_force) or not push
+";
+
+#[test]
+fn what_refutes_a_property_is_written_and_run() {
+    let project = Project::new(&[("robots/pusher.msd", REFUTED)]);
+    let answer = project.run(&["check", "robots/pusher.msd", "--counterexamples", "."]);
+    assert_eq!(answer.code, 1, "{}", answer.err);
+    assert!(answer.err.contains("`lmslc run ./no_push_refuted.msd` shows how"), "{}", answer.err);
+    for (name, seen) in [("no_push", "held at 2.01 s"), ("turns", "nothing by 4.011 s answered")] {
+        let file = format!("{name}_refuted.msd");
+        assert!(project.read(&file).contains("import robots.pusher\nimport std.behaviors.obstacle_manipulation\n"));
+        let run = project.run(&["run", &file, "--format", "json"]);
+        assert_eq!((run.code, run.err.as_str()), (1, ""));
+        let expectations = run.lines()[0]["expectations"].as_array().unwrap().clone();
+        let of = |name: &str| {
+            let is_it = |one: &&Value| one["text"].as_str().unwrap().starts_with(&format!("property {name}: "));
+            expectations.iter().find(is_it).unwrap().clone()
+        };
+        assert_eq!((&of(name)["passed"], &of("calm")["passed"]), (&Value::Bool(false), &Value::Bool(true)));
+        assert!(of(name)["seen"].as_str().unwrap().starts_with(seen), "{expectations:?}");
+    }
+    assert!(!project.0.path().join("calm_refuted.msd").exists());
+    // A refuted property keeps nothing from being run, and nothing is written where it cannot be imported.
+    let answer = project.run(&["check", "robots/pusher.msd", "--counterexamples", "elsewhere"]);
+    assert_eq!(answer.code, 2);
+    assert!(answer.err.contains("no file in `elsewhere` can import `robots/pusher.msd`"), "{}", answer.err);
+    project.write("robots/pusher.msd", REFUTED.replace("property no_push: never push\n", "").as_bytes());
+    project.write("robots/pusher.msd", project.read("robots/pusher.msd").replace("2 s", "2.01 s").as_bytes());
+    let answer = project.run(&["check", "robots/pusher.msd"]);
+    assert_eq!((answer.code, answer.err.as_str()), (0, "1 file checked: nothing found, 2 properties proved\n"));
+}

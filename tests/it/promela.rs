@@ -99,7 +99,7 @@ fn spin_executes_what_is_live_in_random_diagrams() {
     if !has_spin() {
         return;
     }
-    let mut random = Random(2007);
+    let mut random = Random { state: 2007, recalls: true };
     let mut analysis = |cart: &str, count: usize| {
         let behaviors: String = (0..count).map(|index| random.behavior(&format!("b{index}"))).collect();
         analyze_texts(&[("b.msd", &format!("{cart}{behaviors}")), ("n.fsfn", FUSION)])

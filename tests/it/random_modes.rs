@@ -23,27 +23,33 @@ pub const FUSION: &str = "
 /// The robot that random behaviors are on.
 pub const CART: &str = "import n
     robot cart {
+        body differential_drive { mass 50 kg  size (1 m, 1 m)  track 0.6 m  traction 0.5 }
         sensor x: 1 in 0 .. 10 fails 3
         optional sensor y: 1 in 0 .. 10 fails 7
-        action turn(angle: rad) -> done
+        action turn(angle: rad) -> done = body.rotate(angle)
     }
     ";
 
 /// Makes behaviors.
-pub struct Random(pub u64);
+pub struct Random {
+    pub state: u64,
+    /// Whether conditions look at the past.
+    pub recalls: bool,
+}
 
 impl Random {
-    fn below(&mut self, limit: u64) -> u64 {
-        next_random(&mut self.0) % limit
+    pub fn below(&mut self, limit: u64) -> u64 {
+        next_random(&mut self.state) % limit
     }
 
-    fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
+    pub fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
         values[self.below(values.len() as u64) as usize]
     }
 
-    fn atom(&mut self) -> String {
+    pub fn atom(&mut self) -> String {
         let flag = self.one_of(&["full", "some", "all", "odd", "late", "x > 5", "x < 4", "x > y", "y >= 5", "y == 5"]);
         match self.below(9) {
+            0..=4 if !self.recalls => flag.to_owned(),
             0 => format!("rising({flag})"),
             1 => format!("falling({flag})"),
             2 => format!("latched({flag})"),
@@ -79,7 +85,7 @@ impl Random {
     }
 }
 
-struct Deaf;
+pub struct Deaf;
 
 impl Actuators for Deaf {
     fn command(&mut self, _action: u32, _arguments: &[f64], _start: bool) {}
@@ -87,7 +93,7 @@ impl Actuators for Deaf {
 
 #[test]
 fn what_never_happens_is_not_seen() {
-    let mut random = Random(7);
+    let mut random = Random { state: 7, recalls: true };
     let (mut dead, mut live) = (0, 0);
     for _ in 0..80 {
         let text = format!("{CART}{}", random.behavior("b"));

@@ -9,6 +9,12 @@ use lmslc::driver::{Analysis, FileError, Files, Options, analyze};
 /// Files that stand only here.
 pub struct Memory(HashMap<String, String>);
 
+impl Memory {
+    pub fn new(texts: &[(&str, &str)]) -> Self {
+        Self(texts.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect())
+    }
+}
+
 impl Files for Memory {
     fn read(&self, path: &str) -> Result<String, FileError> {
         self.0.get(path).cloned().ok_or(FileError::Missing)
@@ -35,8 +41,7 @@ pub fn root() -> PathBuf {
 
 /// Analyzes texts under their paths; the first one is asked for.
 pub fn analyze_texts(texts: &[(&str, &str)]) -> Analysis {
-    let files = texts.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect();
-    analyze(&Memory(files), &[texts[0].0.to_owned()], &Options::default())
+    analyze(&Memory::new(texts), &[texts[0].0.to_owned()], &Options::default())
 }
 
 /// Analyzes one text and demands that nothing is found.

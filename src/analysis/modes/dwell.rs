@@ -67,23 +67,36 @@ const MOST_EDGES: i128 = 64;
 /// A stretch of a mode: the thresholds passed, and the edges counted.
 pub(super) type State = (usize, Vec<u32>);
 
+/// Where a mode can be left for under one set of faults.
+pub(super) struct Gates {
+    /// For each transition whether its target is not inhibited.
+    pub(super) open: Vec<bool>,
+    /// Where the machine goes at once because a required sensor has failed; no exit is then tried.
+    pub(super) lost: Option<Id<Mode>>,
+}
+
+impl Gates {
+    pub(super) fn new(scene: &Scene<'_>, mode: &Mode, faults: &FaultSet) -> Self {
+        let fails = |mode: &Mode| mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor));
+        let inhibited = |target: Id<Mode>| fails(&scene.diagram.modes[target]);
+        let lost = mode.otherwise.filter(|otherwise| fails(mode) && !inhibited(*otherwise));
+        let open = mode.transitions.iter().map(|transition| !transition.target.is_some_and(inhibited)).collect();
+        Self { open, lost }
+    }
+}
+
 /// A mode under one set of faults.
 struct Case {
     ticks: Vec<Tick>,
-    /// For each transition whether its target is not inhibited.
-    open: Vec<bool>,
-    lost: Option<Id<Mode>>,
+    gates: Gates,
 }
 
 impl Case {
     fn new(scene: &Scene<'_>, mode: &Mode, formula: &Formula, faults: &FaultSet) -> Option<Self> {
-        let fails = |mode: &Mode| mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor));
-        let inhibited = |target: Id<Mode>| fails(&scene.diagram.modes[target]);
-        let lost = mode.otherwise.filter(|otherwise| fails(mode) && !inhibited(*otherwise));
+        let gates = Gates::new(scene, mode, faults);
         // Where the machine goes elsewhere at once, no exit is tried on any tick.
-        let ticks = if lost.is_some() { Vec::new() } else { feasible(scene, formula, faults)? };
-        let open = mode.transitions.iter().map(|transition| !transition.target.is_some_and(inhibited)).collect();
-        Some(Self { ticks, open, lost })
+        let ticks = if gates.lost.is_some() { Vec::new() } else { feasible(scene, formula, faults)? };
+        Some(Self { ticks, gates })
     }
 }
 
@@ -99,11 +112,11 @@ pub(super) fn stay(
 ) -> Option<Stay> {
     let clock = Clock::new(formula)?;
     let cases: Vec<_> = sets.iter().map(|faults| Case::new(scene, mode, formula, faults)).collect::<Option<_>>()?;
-    let lost = cases.first().and_then(|case| case.lost);
+    let lost = cases.first().and_then(|case| case.gates.lost);
     let exits = vec![Exit::default(); mode.transitions.len()];
     let mut stay = Stay { exits, lasts: false, lost, states: BTreeSet::new() };
 
-    let start = (0, vec![0; clock.counters.len()]);
+    let start = clock.start();
     // The count of the first tick may already be 1: the edge on the tick of entry is before, the next one is not.
     let mut waiting = clock.counted(&start);
     let firsts = waiting.len();
@@ -129,8 +142,8 @@ pub(super) fn stay(
             for tick in &case.ticks {
                 let Some(values) = formula.values(tick.truth | held) else { continue };
                 let extended = || extended(path?, clock.starts(state.0), formula, tick);
-                stay.note(formula, &values, &case.open, || extended().map_or(Way::Open, Way::Shown));
-                let taken = formula.roots.iter().zip(&case.open).any(|(root, open)| values[*root] && *open);
+                stay.note(formula, &values, &case.gates.open, || extended().map_or(Way::Open, Way::Shown));
+                let taken = formula.roots.iter().zip(&case.gates.open).any(|(root, open)| values[*root] && *open);
                 if !taken && !matches!(stays, Some(Some(_))) {
                     stays = Some(extended());
                 }
@@ -211,7 +224,7 @@ impl Clock {
         let mut counters: BTreeMap<usize, u32> = BTreeMap::new();
         for atom in &formula.atoms {
             match atom {
-                Atom::After(duration) => {
+                Atom::After(duration) | Atom::Lasted(duration) => {
                     thresholds.insert(*duration);
                 }
                 Atom::Count(_, of, number) => {
@@ -228,8 +241,13 @@ impl Clock {
         Some(Self { thresholds: thresholds.into_iter().collect(), counters: counters.into_iter().collect() })
     }
 
+    /// Nothing passed, and nothing counted.
+    pub(super) fn start(&self) -> State {
+        (0, vec![0; self.counters.len()])
+    }
+
     /// The timers and counters that hold in a state.
-    fn truth(&self, formula: &Formula, (passed, counts): &State) -> u64 {
+    pub(super) fn truth(&self, formula: &Formula, (passed, counts): &State) -> u64 {
         let holds = |atom: &Atom| match atom {
             Atom::After(duration) => self.thresholds[..*passed].contains(duration),
             Atom::Count(comparison, of, number) => {
@@ -238,7 +256,7 @@ impl Clock {
             }
             _ => false,
         };
-        formula.atoms.iter().enumerate().map(|(index, atom)| u64::from(holds(atom)) << index).sum()
+        formula.truth_of(holds)
     }
 
     /// A time at which that many thresholds are passed.
@@ -247,7 +265,7 @@ impl Clock {
     }
 
     /// The states in which a tick leaves the counters of a state: each as it is, or one further.
-    fn counted(&self, (passed, counts): &State) -> Vec<State> {
+    pub(super) fn counted(&self, (passed, counts): &State) -> Vec<State> {
         let mut states = vec![(*passed, counts.clone())];
         for (index, (_, limit)) in self.counters.iter().enumerate() {
             for position in 0..states.len().min(MOST_STATES) {
@@ -272,7 +290,7 @@ impl Clock {
 
     /// Every stretch between thresholds, each with counters at their start and at their end.
     fn all(&self) -> impl Iterator<Item = State> {
-        let none = vec![0; self.counters.len()];
+        let (_, none) = self.start();
         let most: Vec<_> = self.counters.iter().map(|(_, limit)| *limit).collect();
         (0..=self.thresholds.len()).flat_map(move |passed| [(passed, none.clone()), (passed, most.clone())])
     }

@@ -25,14 +25,14 @@ pub(super) fn examine(scene: &Scene<'_>, mode: &Mode) -> Option<Examined> {
         return None;
     }
     let formula = Formula::new(scene.program, scene.diagram, &mode.transitions)?;
-    let cases = fault_sets(scene, mode, &formula)?;
+    let cases = fault_sets(scene, mode, &formula, usize::MAX)?;
     let stay = stay(scene, mode, &formula, &cases, &BTreeSet::new())?;
     Some(Examined { formula, stay })
 }
 
-/// A sensor stuck at some reading reads what it could have read anyway. Only a failure that is reported, or takes all
-/// degrees of membership away, adds to what can happen.
-fn fault_sets(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> Option<Vec<FaultSet>> {
+/// Every set of at most `most` faults that adds to what can happen, smallest first. A sensor stuck at some reading reads
+/// what it could have read anyway; only a failure that is reported, or takes all degrees of membership away, adds.
+pub(super) fn fault_sets(scene: &Scene<'_>, mode: &Mode, formula: &Formula, most: usize) -> Option<Vec<FaultSet>> {
     let reported = reported(scene, mode, formula);
     let absent = feeding(scene, formula).into_iter().filter(|sensor| can_be_absent(scene, *sensor));
     let single: BTreeSet<_> = reported
@@ -42,7 +42,8 @@ fn fault_sets(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> Option<Vec<F
         .collect();
     let mut sets = vec![FaultSet::new()];
     for (sensor, fault) in single {
-        let others: Vec<_> = sets.iter().filter(|set| set.last().is_none_or(|(last, _)| *last != sensor)).collect();
+        let is_extended = |set: &&FaultSet| set.len() < most && set.last().is_none_or(|(last, _)| *last != sensor);
+        let others: Vec<_> = sets.iter().filter(is_extended).collect();
         let with = others.into_iter().map(|set| [set.as_slice(), &[(sensor, fault)]].concat());
         sets = with.collect::<Vec<_>>().into_iter().chain(sets).collect();
         if sets.len() > MOST_CASES {

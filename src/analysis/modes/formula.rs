@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::hash::Hash;
 
 use crate::base::{Exact, Id};
-use crate::ir::{Comparison, Diagram, Expr, Flag, Op, Program, Sensor, Transition};
+use crate::ir::{Comparison, Diagram, Expr, Flag, Mode, Op, Program, Sensor, Transition};
 
 /// Something that is true or false on a tick, and not made of other such things.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -22,6 +22,14 @@ pub enum Atom {
     Failed(Id<Sensor>),
     /// Nanoseconds in the mode.
     After(u64),
+    /// At the end of the tick: nanoseconds in the mode that the machine is in then.
+    Lasted(u64),
+    /// At the end of the tick: the machine is in the mode.
+    In(Id<Mode>),
+    /// At the end of the tick: it is, and was not before.
+    Entered(Id<Mode>),
+    /// At the end of the tick: it is not, and was before.
+    Left(Id<Mode>),
     /// The rising edges of a node beside a number.
     Count(Comparison, usize, Exact),
     /// A look at the past of a node.
@@ -96,8 +104,10 @@ pub struct Formula {
     pub atoms: Vec<Atom>,
     /// Each once, parts before what they are part of.
     pub nodes: Vec<Node>,
-    /// The node of each condition.
+    /// The node of each transition's condition.
     pub roots: Vec<usize>,
+    /// The node of each condition that is watched.
+    pub(super) watched: Vec<usize>,
     known_atoms: HashMap<Atom, usize>,
     known_nodes: HashMap<Node, usize>,
 }
@@ -112,33 +122,123 @@ impl Formula {
         diagram: &Diagram,
         transitions: impl IntoIterator<Item = &'a Transition>,
     ) -> Option<Self> {
-        Self::of(program, diagram, transitions.into_iter().map(|transition| transition.condition).collect())
+        let roots: Vec<_> = transitions.into_iter().map(|transition| transition.condition).collect();
+        Self::of(program, diagram, &roots)
     }
 
     /// Some conditions, as `new`.
-    pub(super) fn of(program: &Program, diagram: &Diagram, roots: Vec<Id<Expr>>) -> Option<Self> {
+    pub(super) fn of(program: &Program, diagram: &Diagram, roots: &[Id<Expr>]) -> Option<Self> {
+        Self::of_conditions(program, diagram, roots, &[], &HashMap::new())
+    }
+
+    /// The conditions of a mode's transitions, and some that are watched from outside. What these say of other modes than
+    /// those the machine can be in at the end of a tick is settled.
+    pub(super) fn watching(program: &Program, diagram: &Diagram, mode: Id<Mode>, watched: &[Id<Expr>]) -> Option<Self> {
+        let transitions = &diagram.modes[mode].transitions;
+        let roots: Vec<_> = transitions.iter().map(|transition| transition.condition).collect();
+        let targets = transitions.iter().filter_map(|transition| transition.target);
+        let ends: BTreeSet<_> = targets.chain(diagram.modes[mode].otherwise).chain([mode]).collect();
+        let mut settled = HashMap::new();
+        for root in watched {
+            settle(program, *root, &ends, &mut settled);
+        }
+        Self::of_conditions(program, diagram, &roots, watched, &settled)
+    }
+
+    fn of_conditions(
+        program: &Program,
+        diagram: &Diagram,
+        roots: &[Id<Expr>],
+        watched: &[Id<Expr>],
+        settled: &HashMap<Id<Expr>, bool>,
+    ) -> Option<Self> {
         let mut formula = Self::default();
         let mut flags = HashMap::new();
-        for flag in flags_of(program, diagram, &roots) {
-            let node = formula.condition(program, diagram, diagram.flags[flag].condition, &flags)?;
+        for flag in flags_of(program, diagram, &[roots, watched].concat(), settled) {
+            let condition = diagram.flags[flag].condition;
+            let node = formula.condition(program, diagram, condition, &flags, None)?;
             flags.insert(flag, node);
         }
         for root in roots {
-            let node = formula.condition(program, diagram, root, &flags)?;
+            let node = formula.condition(program, diagram, *root, &flags, None)?;
             formula.roots.push(node);
+        }
+        for root in watched {
+            let node = formula.condition(program, diagram, *root, &flags, Some(settled))?;
+            formula.watched.push(node);
         }
         (formula.atoms.len() <= MOST_ATOMS).then_some(formula)
     }
 
+    /// The atoms of which `holds` says so, as bits.
+    pub(super) fn truth_of(&self, holds: impl Fn(&Atom) -> bool) -> u64 {
+        self.atoms.iter().enumerate().map(|(index, atom)| u64::from(holds(atom)) << index).sum()
+    }
+
+    /// Whether an action reports completion where these atoms are true.
+    pub(super) fn is_done(&self, truth: u64) -> bool {
+        truth & self.truth_of(|atom| *atom == Atom::Done) != 0
+    }
+
+    /// What is true or false of one tick alone: without the past, time, and what the machine does.
+    pub(super) fn present(&self, program: &Program) -> impl Iterator<Item = Atom> {
+        self.atoms.iter().filter_map(|atom| present(program, atom))
+    }
+
+    /// Of that, what is looked at in the past.
+    pub(super) fn remembered(&self, program: &Program) -> Vec<Atom> {
+        let mut waiting = Vec::new();
+        let mut found = Vec::new();
+        for atom in &self.atoms {
+            match atom {
+                Atom::Past(_, of) | Atom::Count(_, of, _) => waiting.push(*of),
+                Atom::Open(_) => found.extend(present(program, atom)),
+                _ => {}
+            }
+        }
+        while let Some(node) = waiting.pop() {
+            match &self.nodes[node] {
+                Node::Constant(_) => {}
+                Node::Atom(atom) => found.extend(present(program, &self.atoms[*atom])),
+                Node::Not(of) => waiting.push(*of),
+                Node::All(of) | Node::Any(of) => waiting.extend(of),
+            }
+        }
+        found
+    }
+
+    /// No condition, but ticks that differ by some atoms; `None` where there are too many.
+    pub(super) fn of_atoms(atoms: impl IntoIterator<Item = Atom>) -> Option<Self> {
+        let mut formula = Self::default();
+        for atom in atoms {
+            formula.atom(atom);
+        }
+        (formula.atoms.len() <= MOST_ATOMS).then_some(formula)
+    }
+
+    /// A condition that is looked at before a transition is taken or, where there is something settled, at the end of the
+    /// tick.
     fn condition(
         &mut self,
         program: &Program,
         diagram: &Diagram,
         root: Id<Expr>,
         flags: &HashMap<Id<Flag>, usize>,
+        at_end: Option<&HashMap<Id<Expr>, bool>>,
     ) -> Option<usize> {
+        let is_at_end = at_end.is_some();
+        let mode = |of: &Id<Expr>| match program.exprs[*of].op {
+            Op::InMode(mode) if is_at_end => Some(mode),
+            _ => None,
+        };
+        let settled = |id: &Id<Expr>| at_end.and_then(|settled| settled.get(id)).copied();
         let mut nodes: HashMap<Id<Expr>, usize> = HashMap::new();
-        for id in parts(program, root) {
+        for id in parts_where(program, root, |id| settled(&id).is_none()) {
+            if let Some(value) = settled(&id) {
+                let node = self.node(Node::Constant(value));
+                nodes.insert(id, node);
+                continue;
+            }
             let node = match &program.exprs[id].op {
                 // Operands of comparisons are read where the comparison stands.
                 Op::Number(_) | Op::Sensor(_) | Op::Count(_) => continue,
@@ -147,18 +247,31 @@ impl Formula {
                 Op::Not(of) => self.node(Node::Not(nodes[of])),
                 Op::And(of) => self.node(Node::All(sorted(of.iter().map(|of| nodes[of])))),
                 Op::Or(of) => self.node(Node::Any(sorted(of.iter().map(|of| nodes[of])))),
+                // At the end of a tick a counter of its own is looked at.
+                Op::Compare(_, left, right)
+                    if is_at_end && [left, right].iter().any(|of| matches!(program.exprs[**of].op, Op::Count(_))) =>
+                {
+                    self.atom(Atom::Open(id))
+                }
                 &Op::Compare(comparison, left, right) => {
                     self.comparison(program, id, (comparison, left, right), &nodes)
                 }
                 &Op::Event { sense, event } => self.event(program, diagram, id, sense, event),
                 Op::Failed(sensor) => self.atom(Atom::Failed(*sensor)),
                 Op::After(0) => self.node(Node::Constant(true)),
+                Op::After(duration) if is_at_end => self.atom(Atom::Lasted(*duration)),
                 Op::After(duration) => self.atom(Atom::After(*duration)),
                 Op::Done => self.atom(Atom::Done),
-                Op::Rising(of) => self.atom(Atom::Past(Past::Rising, nodes[of])),
-                Op::Falling(of) => self.atom(Atom::Past(Past::Falling, nodes[of])),
+                Op::Rising(of) => self.atom(mode(of).map_or(Atom::Past(Past::Rising, nodes[of]), Atom::Entered)),
+                Op::Falling(of) => self.atom(mode(of).map_or(Atom::Past(Past::Falling, nodes[of]), Atom::Left)),
                 Op::Held(of, duration) => self.atom(Atom::Past(Past::Held(*duration), nodes[of])),
+                // At the end of a tick a latch of its own is looked at, which that tick has already set.
+                Op::Latched(of) if is_at_end => {
+                    let earlier = self.atom(Atom::Open(id));
+                    self.node(Node::Any(sorted([nodes[of], earlier].into_iter())))
+                }
                 Op::Latched(of) => self.atom(Atom::Past(Past::Latched, nodes[of])),
+                Op::InMode(mode) if is_at_end => self.atom(Atom::In(*mode)),
                 Op::InMode(_) => self.atom(Atom::Open(id)),
             };
             nodes.insert(id, node);
@@ -226,25 +339,27 @@ impl Formula {
 
     /// The value of every node where these atoms are true; `None` where the past contradicts the present.
     pub(super) fn values(&self, truth: u64) -> Option<Vec<bool>> {
-        let mut values = Vec::with_capacity(self.nodes.len());
+        let values = self.claimed(truth);
+        let allows = |(bit, atom): (usize, &Atom)| match atom {
+            Atom::Past(past, of) => past.allows(truth >> bit & 1 == 1, values[*of]),
+            _ => true,
+        };
+        self.atoms.iter().enumerate().all(allows).then_some(values)
+    }
+
+    /// The value of every node where these atoms are true, whatever they say of the past.
+    pub(super) fn claimed(&self, truth: u64) -> Vec<bool> {
+        let mut values: Vec<bool> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
             values.push(match node {
                 Node::Constant(value) => *value,
-                Node::Atom(atom) => {
-                    let claimed = truth >> atom & 1 == 1;
-                    if let Atom::Past(past, of) = self.atoms[*atom]
-                        && !past.allows(claimed, values[of])
-                    {
-                        return None;
-                    }
-                    claimed
-                }
+                Node::Atom(atom) => truth >> atom & 1 == 1,
                 Node::Not(of) => !values[*of],
                 Node::All(of) => of.iter().all(|of| values[*of]),
                 Node::Any(of) => of.iter().any(|of| values[*of]),
             });
         }
-        Some(values)
+        values
     }
 
     /// Whether something depends on readings of the past.
@@ -262,7 +377,7 @@ impl Formula {
                     Atom::Past(past, of) => past.settled(values[of]),
                     Atom::Count(comparison, _, number) => compare(comparison, Exact::ZERO, number),
                     Atom::After(duration) => duration <= dwell,
-                    Atom::Done => false,
+                    Atom::Lasted(_) | Atom::Entered(_) | Atom::Left(_) | Atom::Done => false,
                     _ => truth >> atom & 1 == 1,
                 },
                 Node::Not(of) => !values[*of],
@@ -274,12 +389,57 @@ impl Formula {
     }
 }
 
+/// An atom that readings and failures decide; of an event with a memory what it would be without.
+fn present(program: &Program, atom: &Atom) -> Option<Atom> {
+    match *atom {
+        Atom::Event { .. } | Atom::Compare(..) | Atom::Failed(_) => Some(atom.clone()),
+        Atom::Open(id) => match program.exprs[id].op {
+            Op::Event { sense, event } => Some(Atom::Event { sense, event }),
+            _ => None,
+        },
+        Atom::After(_)
+        | Atom::Count(..)
+        | Atom::Past(..)
+        | Atom::Done
+        | Atom::Lasted(_)
+        | Atom::In(_)
+        | Atom::Entered(_)
+        | Atom::Left(_) => None,
+    }
+}
+
+/// Settles what follows from where the machine can be at the end of a tick.
+fn settle(program: &Program, root: Id<Expr>, ends: &BTreeSet<Id<Mode>>, settled: &mut HashMap<Id<Expr>, bool>) {
+    for id in parts(program, root) {
+        let value = |of: &Id<Expr>| settled.get(of).copied();
+        let is_mode = |of: &Id<Expr>| matches!(program.exprs[*of].op, Op::InMode(_));
+        let found = match &program.exprs[id].op {
+            Op::InMode(mode) if !ends.contains(mode) => Some(false),
+            // It was not in one of these before either.
+            Op::Rising(of) | Op::Falling(of) if value(of) == Some(false) && is_mode(of) => Some(false),
+            Op::Not(of) => value(of).map(|value| !value),
+            Op::And(of) if of.iter().any(|of| value(of) == Some(false)) => Some(false),
+            Op::Or(of) if of.iter().any(|of| value(of) == Some(true)) => Some(true),
+            _ => None,
+        };
+        settled.extend(found.map(|found| (id, found)));
+    }
+}
+
 /// An expression and what it is made of, operands first; flags are not entered.
 pub(in crate::analysis) fn parts(program: &Program, root: Id<Expr>) -> Vec<Id<Expr>> {
+    parts_where(program, root, |_| true)
+}
+
+/// The same without what is not to be entered.
+fn parts_where(program: &Program, root: Id<Expr>, enters: impl Fn(Id<Expr>) -> bool) -> Vec<Id<Expr>> {
     let mut found = vec![root];
     let mut next = 0;
     while let Some(&id) = found.get(next) {
         next += 1;
+        if !enters(id) {
+            continue;
+        }
         match &program.exprs[id].op {
             Op::Count(of) | Op::Rising(of) | Op::Falling(of) | Op::Held(of, _) | Op::Latched(of) | Op::Not(of) => {
                 found.push(*of);
@@ -301,12 +461,17 @@ pub(in crate::analysis) fn parts(program: &Program, root: Id<Expr>) -> Vec<Id<Ex
     found
 }
 
-/// The flags that conditions name, and those that these name, in order.
-fn flags_of(program: &Program, diagram: &Diagram, conditions: &[Id<Expr>]) -> BTreeSet<Id<Flag>> {
+/// The flags that conditions name where they are not settled, and those that these name, in order.
+fn flags_of(
+    program: &Program,
+    diagram: &Diagram,
+    conditions: &[Id<Expr>],
+    settled: &HashMap<Id<Expr>, bool>,
+) -> BTreeSet<Id<Flag>> {
     let mut flags = BTreeSet::new();
     let mut waiting = conditions.to_vec();
     while let Some(condition) = waiting.pop() {
-        for id in parts(program, condition) {
+        for id in parts_where(program, condition, |id| !settled.contains_key(&id)) {
             if let Op::Flag(flag) = program.exprs[id].op
                 && flags.insert(flag)
             {

@@ -28,7 +28,7 @@ impl<'a> Conditions<'a> {
     /// `None` where the condition is broken, depends on the time in a mode, or has too many cases to look into.
     pub(in crate::analysis) fn outcomes(&self, condition: Id<Expr>) -> Option<Outcomes> {
         let scene = &self.0;
-        let formula = Formula::of(scene.program, scene.diagram, vec![condition])?;
+        let formula = Formula::of(scene.program, scene.diagram, &[condition])?;
         if formula.atoms.iter().any(|atom| matches!(atom, Atom::After(_) | Atom::Count(..))) {
             return None;
         }

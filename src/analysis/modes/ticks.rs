@@ -82,14 +82,23 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
 pub(super) fn is_free(atom: &Atom) -> bool {
     match atom {
         Atom::Past(..) | Atom::Done | Atom::Open(_) => true,
-        Atom::Event { .. } | Atom::Compare(..) | Atom::Failed(_) | Atom::After(_) | Atom::Count(..) => false,
+        // Readings and failures decide, or the state.
+        Atom::Event { .. }
+        | Atom::Compare(..)
+        | Atom::Failed(_)
+        | Atom::After(_)
+        | Atom::Count(..)
+        | Atom::Lasted(_)
+        | Atom::In(_)
+        | Atom::Entered(_)
+        | Atom::Left(_) => false,
     }
 }
 
 /// The atoms that the faults decide.
 fn fixed(formula: &Formula, faults: &FaultSet) -> u64 {
     let is_failed = |atom: &Atom| matches!(atom, Atom::Failed(sensor) if faults::is_reported(faults, *sensor));
-    formula.atoms.iter().enumerate().map(|(index, atom)| u64::from(is_failed(atom)) << index).sum()
+    formula.truth_of(is_failed)
 }
 
 /// The cells of every sensor that is compared. A sensor beside a number is cut at the number. Sensors beside each
@@ -159,7 +168,7 @@ fn comparisons(formula: &Formula, here: &BTreeMap<Id<Sensor>, Cell>) -> u64 {
         }
         _ => false,
     };
-    formula.atoms.iter().enumerate().map(|(index, atom)| u64::from(holds(atom)) << index).sum()
+    formula.truth_of(holds)
 }
 
 /// The ticks of one combination of cells: one for each joint valuation of the events; `None` where there are too many.

@@ -231,13 +231,15 @@ pub enum ExpectWindow {
     Within(Range),
 }
 
-/// `property no_blind_push: never push and failed(contact_force)`
+/// `property no_blind_push of obstacle_manipulation: never push and failed(contact_force)`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Property {
     /// Its doc comment.
     pub doc: Option<Doc>,
     /// Its name.
     pub name: Name,
+    /// The behavior it speaks of, where that is written.
+    pub of: Option<Name>,
     /// What it claims.
     pub kind: PropertyKind,
     /// The whole declaration.

@@ -257,6 +257,7 @@ fn words(rule: Rule) -> &'static str {
         Rule::place_at => "a place",
         Rule::scenario | Rule::scenario_head => "`scenario`",
         Rule::runs_clause => "`runs`",
+        Rule::of_clause => "`of`",
         Rule::scenario_item => "a line of a scenario",
         Rule::duration => "`duration`",
         Rule::tick => "`tick`",

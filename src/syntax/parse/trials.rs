@@ -192,7 +192,12 @@ impl Tree<'_> {
     pub fn property(&mut self, pair: Pair<'_>) -> Option<Property> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
-        let name = self.clause_name(parts.take(Rule::property_head)?)?;
+        let mut head = Parts::of(parts.take(Rule::property_head)?);
+        let name = self.next_name(&mut head)?;
+        let of = match head.take(Rule::of_clause) {
+            Some(of) => Some(self.clause_name(of)?),
+            None => None,
+        };
         let claim = parts.next()?;
         let rule = claim.as_rule();
         let mut parts = Parts::of(claim);
@@ -206,6 +211,6 @@ impl Tree<'_> {
                 within: self.optional_quantity(&mut parts, Rule::time_limit)?,
             },
         };
-        Some(Property { doc: self.doc(span), name, kind, span })
+        Some(Property { doc: self.doc(span), name, of, kind, span })
     }
 }

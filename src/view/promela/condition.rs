@@ -115,7 +115,10 @@ fn text(program: &Program, sources: &Sources, diagram: &Diagram, atom: &Atom, te
             format!("{} {} {number}", name(left), sign(*comparison))
         }
         Atom::Failed(sensor) => format!("failed({})", name(sensor)),
-        Atom::After(duration) => format!("after {}", seconds(*duration)),
+        Atom::After(duration) | Atom::Lasted(duration) => format!("after {}", seconds(*duration)),
+        Atom::In(mode) => diagram.modes[*mode].symbol.name.clone(),
+        Atom::Entered(mode) => format!("rising({})", diagram.modes[*mode].symbol.name),
+        Atom::Left(mode) => format!("falling({})", diagram.modes[*mode].symbol.name),
         Atom::Count(comparison, of, number) => format!("count({}) {} {number}", texts[*of], sign(*comparison)),
         Atom::Past(Past::Rising, of) => format!("rising({})", texts[*of]),
         Atom::Past(Past::Falling, of) => format!("falling({})", texts[*of]),
@@ -159,7 +162,7 @@ fn open(atom: &Atom, flag: &str, values: &[String]) -> Option<String> {
         Atom::Past(Past::Falling, of) => (format!("!{} -> {flag} = true", values[*of]), "skip".to_owned()),
         Atom::Past(Past::Latched, of) => (format!("{flag} = true"), format!("!{}", values[*of])),
         Atom::Done | Atom::Open(_) => (format!("{flag} = true"), "skip".to_owned()),
-        Atom::Event { .. } | Atom::Compare(..) | Atom::Failed(_) | Atom::After(_) | Atom::Count(..) => return None,
+        _ => return None,
     };
     Some(format!("if :: {claimed} :: {denied} fi"))
 }

@@ -63,8 +63,6 @@ team pushers { //~ error LM0105
     robot a = j5 runs tidy
 }
 
-property calm: never contact_force > 300 N //~ error LM0105
-
 world office {
     door at (8 m, 0 m) width 0.9 m heading 0 deg open //~ error LM0105
 }

@@ -41,5 +41,5 @@ scenario force_faulted extends two_obstacles {
 /// Never blind.
 property no_blind_push: never push and failed(contact_force)
 property alive: always not stuck
-property hurry: heavy_obstacle leads to stop within 500 ms
+property hurry of avoid: heavy_obstacle leads to stop within 500 ms
 property patience: x > 3 leads to done

@@ -1,0 +1,2 @@
+// A property whose file knows no behavior.
+property calm: never stop //~ error LM0311
