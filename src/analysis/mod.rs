@@ -14,6 +14,7 @@ mod durations;
 mod events;
 mod exits;
 mod expectations;
+mod failures;
 mod fault_table;
 mod membership;
 pub mod modes;
@@ -29,10 +30,11 @@ pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, ModesRow, RuleRows
 use crate::base::FileId;
 use crate::diag::Diagnostic;
 use crate::ir::{Program, Symbol};
+use modes::Scene;
 
 /// Every finding about what the files that matter declare, with up to so many failed sensors, in no particular order.
 /// Linear in the size of the program, and in the cases of each mode.
-pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) -> Vec<Diagnostic> {
+pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     durations::check(program, &matters, &mut findings);
     expectations::check(program, &matters, &mut findings);
@@ -55,8 +57,18 @@ pub fn run(program: &Program, _faults: usize, matters: impl Fn(FileId) -> bool) 
         requirements::check(diagram, program, &mut findings);
         commands::check(diagram, program, &mut findings);
         reachability::check(diagram, &mut findings);
-        modes::check(program, diagram, &mut findings);
+        let scene = Scene::new(program, diagram);
+        if scene.is_whole() {
+            let examined = modes::check(&scene, &mut findings);
+            failures::check(&scene, &examined, faults, matters, &mut findings);
+        }
         events::check_noise(program, diagram, &mut findings);
+    }
+    for (id, _) in program.networks.iter().filter(|(_, network)| matters(&network.symbol)) {
+        failures::check_network(program, id, faults, &mut findings);
+    }
+    for robot in program.robots.values().filter(|robot| matters(&robot.symbol)) {
+        failures::check_robot(program, robot, &mut findings);
     }
     findings
 }

@@ -2,7 +2,7 @@
 
 use petgraph::algo::kosaraju_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
-use petgraph::visit::{Dfs, Walker};
+use petgraph::visit::{Dfs, IntoNeighbors, NodeCount, Reversed, Visitable, Walker};
 
 use crate::base::Id;
 use crate::diag::{Diagnostic, rules};
@@ -12,7 +12,10 @@ use crate::ir::{Diagram, Mode};
 pub(super) struct Graph(DiGraph<(), ()>);
 
 impl Graph {
-    pub(super) fn new(diagram: &Diagram, successors: impl Fn(Id<Mode>) -> Vec<Id<Mode>>) -> Self {
+    pub(super) fn new<Modes>(diagram: &Diagram, successors: impl Fn(Id<Mode>) -> Modes) -> Self
+    where
+        Modes: IntoIterator<Item = Id<Mode>>,
+    {
         let mut graph = DiGraph::with_capacity(diagram.modes.len(), diagram.modes.len());
         diagram.modes.ids().for_each(|_| {
             graph.add_node(());
@@ -25,13 +28,14 @@ impl Graph {
         Self(graph)
     }
 
-    /// For each mode whether a path leads to it.
-    pub(super) fn reached(&self, from: Id<Mode>) -> Vec<bool> {
-        let mut reached = vec![false; self.0.node_count()];
-        for node in Dfs::new(&self.0, NodeIndex::new(from.index())).iter(&self.0) {
-            reached[node.index()] = true;
-        }
-        reached
+    /// For each mode whether a path leads to it from one of some modes.
+    pub(super) fn reached(&self, from: impl IntoIterator<Item = Id<Mode>>) -> Vec<bool> {
+        walked(&self.0, from)
+    }
+
+    /// For each mode whether a path leads from it to one of some modes.
+    pub(super) fn leading_to(&self, to: impl IntoIterator<Item = Id<Mode>>) -> Vec<bool> {
+        walked(Reversed(&self.0), to)
     }
 
     /// The modes that lead to each other, in sorted groups; a mode on its own is a group.
@@ -50,6 +54,19 @@ impl Graph {
     }
 }
 
+fn walked<G>(graph: G, from: impl IntoIterator<Item = Id<Mode>>) -> Vec<bool>
+where
+    G: IntoNeighbors<NodeId = NodeIndex> + Visitable<NodeId = NodeIndex> + NodeCount,
+{
+    let mut walked = vec![false; graph.node_count()];
+    let stack = from.into_iter().map(|mode| NodeIndex::new(mode.index())).collect();
+    let walk = Dfs::from_parts(stack, graph.visit_map());
+    for node in walk.iter(graph) {
+        walked[node.index()] = true;
+    }
+    walked
+}
+
 /// Whether a sorted group holds a mode.
 pub(super) fn is_in(group: &[Id<Mode>], mode: Id<Mode>) -> bool {
     group.binary_search(&mode).is_ok()
@@ -63,7 +80,7 @@ pub(super) fn check(diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
         return;
     }
     let graph = Graph::new(diagram, |mode| written(&diagram.modes[mode]));
-    let mut reported = graph.reached(entry);
+    let mut reported = graph.reached([entry]);
     for group in graph.groups().iter().filter(|group| group.len() > 1) {
         let leads_in = |mode: Id<Mode>| !is_in(group, mode) && graph.successors(mode).any(|to| is_in(group, to));
         let judged_elsewhere = group.iter().all(|&mode| diagram.modes[mode].inherited);

@@ -4,6 +4,7 @@
 
 use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
@@ -13,7 +14,7 @@ use super::Fraction;
 
 /// An exact number `ratio · π^pi`. Zero has no power of π. Operations answer `None` where the result does not fit
 /// a fraction of 128-bit integers; they never round.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Exact {
     ratio: Ratio<i128>,
     pi: i8,
@@ -188,6 +189,13 @@ impl Ord for Exact {
     /// Exact for equal powers of π; for different ones π's 60 digits decide, which no two literals can tie.
     fn cmp(&self, other: &Self) -> Ordering {
         if self.pi == other.pi { self.ratio.cmp(&other.ratio) } else { self.to_big().cmp(&other.to_big()) }
+    }
+}
+
+impl Hash for Exact {
+    /// The fraction is in lowest terms, so its parts are enough.
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (self.ratio.numer(), self.ratio.denom(), self.pi).hash(state);
     }
 }
 

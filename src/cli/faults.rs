@@ -44,11 +44,11 @@ impl Faults {
             return Err(exit_code(&analysis));
         }
         let table = analysis::fault_table(&analysis.program, &analysis.roots, self.up_to);
-        if table.rows.iter().all(|row| row.events.is_empty()) {
+        if table.rows.iter().all(|row| row.events.is_empty() && row.modes.is_empty()) {
             return Err(terminal.fail(&format!("`{}` holds no behavior or network with an event", self.file), None));
         }
         Terminal::print(&match self.format {
-            Format::Human => report::faults(&table, terminal.color_out),
+            Format::Human => report::faults(&table, Terminal::width(), terminal.color_out),
             Format::Json => report::faults_json(&table, &self.file),
             Format::Markdown => report::faults_markdown(&table),
             Format::Html => report::faults_html(&table, &self.file),

@@ -19,6 +19,13 @@ pub struct Rule {
     pub page: &'static str,
 }
 
+impl Rule {
+    /// Whether it is about what failed sensors do.
+    pub fn is_about_faults(&self) -> bool {
+        self.code.starts_with("LM06")
+    }
+}
+
 /// The rule with that code or name, in any case.
 pub fn find_rule(code_or_name: &str) -> Option<&'static Rule> {
     RULES
@@ -149,6 +156,12 @@ rules! {
     WEAK_TIE "LM0526" "weak-tie" Info "both sides of an event equally strong, not above 0.5, around some readings"
 
     FAIL_READING_OUTSIDE_RANGE "LM0601" "fail-reading-outside-range" Error "a fail reading outside the sensor's range"
+    SINGLE_POINT_OF_FAILURE "LM0602" "single-point-of-failure" Warning "an event of several sensors that one failure keeps from being set"
+    EVENT_STUCK_SET "LM0603" "event-stuck-set" Warning "an event of several sensors that one failure keeps set"
+    TRAPPED_BY_FAILURE "LM0604" "trapped-by-failure" Warning "modes that can never be left while a sensor has failed"
+    NO_SAFE_MODE "LM0605" "no-safe-mode" Warning "modes from which a failure closes the ways to every safe one"
+    SENSOR_WITHOUT_FAILS "LM0606" "sensor-without-fails" Warning "a sensor in use that does not say how it fails"
+    MODE_MISSED "LM0607" "mode-missed" Info "a mode that is never reached by a machine that starts with a failed sensor"
 
     BAD_PLACEMENT "LM0801" "bad-placement" Error "a scenario whose bodies overlap at the start"
     NO_SCENARIO "LM0802" "no-scenario" Error "a file without a scenario to run"

@@ -50,10 +50,16 @@ impl Suppressions {
         self.covering(finding).next().is_some()
     }
 
-    /// One finding for each comment that covers none of `findings`.
-    pub fn unused(&self, findings: &[Diagnostic], sources: &Sources) -> Vec<Diagnostic> {
+    /// One finding for each comment that covers none of `findings`, of the files and rules that were looked at.
+    pub fn unused(
+        &self,
+        findings: &[Diagnostic],
+        sources: &Sources,
+        looked_at: impl Fn(FileId, &Rule) -> bool,
+    ) -> Vec<Diagnostic> {
         let used: BTreeSet<&Key> = findings.iter().flat_map(|finding| self.covering(finding)).collect();
-        let idle = self.0.iter().filter(|(key, _)| !used.contains(key)).map(|(_, suppression)| suppression);
+        let idle = self.0.iter().filter(|(key, of)| !used.contains(key) && looked_at(key.0, of.rule));
+        let idle = idle.map(|(_, suppression)| suppression);
         idle.flat_map(|idle| idle.comments.iter().map(|&comment| unused(idle.rule, comment, sources))).collect()
     }
 

@@ -10,7 +10,7 @@ pub use library::LIBRARY;
 pub use load::{FileError, Files};
 
 use crate::base::{FileId, Sources};
-use crate::diag::{self, Diagnostic, Levels, Severity, Suppressions};
+use crate::diag::{self, Diagnostic, Levels, Rule, Severity, Suppressions};
 use crate::{analysis, ir, plan, sema, sim, verify};
 
 /// How to look at a compilation.
@@ -77,7 +77,8 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     let verify::Verified { findings: unproved, proved, counterexamples } = verified;
     findings.extend(unproved);
     let suppressions = Suppressions::collect(&sources, &mut findings);
-    findings.extend(suppressions.unused(&findings, &sources));
+    let looked_at = |file, rule: &Rule| matters(file) && (options.faults > 0 || !rule.is_about_faults());
+    findings.extend(suppressions.unused(&findings, &sources, looked_at));
     if is_broken {
         // What seems unused may be for the part that is broken.
         findings.retain(|finding| !finding.rule.name.starts_with("unused-"));

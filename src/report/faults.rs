@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::json::{SCHEMA, to_line};
-use super::paint::Paint;
+use super::paint::{Paint, wrap};
 use crate::analysis::{EventRow, FaultRow, FaultTable, ModesRow, RuleRows};
 use crate::ir::FailReading;
 
@@ -101,9 +101,10 @@ fn to_event(event: &EventRow) -> Event<'_> {
     }
 }
 
-/// Renders the table for people: for each set of failed sensors what every event can still do, and the rules
-/// that are left. `color` adds ANSI escapes.
-pub fn faults(table: &FaultTable, color: bool) -> String {
+/// Renders the table for people: for each set of failed sensors what every event can still do, the rules that are left
+/// and what becomes of the modes; then all of it in sentences, in lines of at most `width` characters. `color` adds ANSI
+/// escapes.
+pub fn faults(table: &FaultTable, width: usize, color: bool) -> String {
     let paint = Paint { color };
     let mut out = String::new();
     for row in &table.rows {
@@ -123,6 +124,13 @@ pub fn faults(table: &FaultTable, color: bool) -> String {
         }
         out.push('\n');
     }
+    if !table.summary.is_empty() {
+        let _ = writeln!(out, "{}", paint.bold("in words"));
+    }
+    for sentence in &table.summary {
+        let clauses: Vec<_> = sentence.split("; ").map(str::to_owned).collect();
+        let _ = writeln!(out, "  {}", wrap(&clauses, width.saturating_sub(4)).join("\n    "));
+    }
     out
 }
 
@@ -137,11 +145,18 @@ fn mode_lines(modes: &ModesRow) -> Vec<String> {
     lists.map(|(what, names)| format!("{what}: {}", names.join(", "))).collect()
 }
 
-/// Renders the table as Markdown, one row for each set of failed sensors.
+/// Renders the table as Markdown: the sentences, then one row for each set of failed sensors.
 pub fn faults_markdown(table: &FaultTable) -> String {
     let names: Vec<_> = table.rows.first().map_or(&[][..], |row| &row.events).iter().map(|event| &event.name).collect();
     let heads: Vec<_> = names.iter().map(|name| format!(" {name} |")).collect();
-    let mut out = format!("| failed |{} modes |\n|---|{}---|\n", heads.concat(), "---|".repeat(names.len()));
+    let mut out = String::new();
+    for sentence in &table.summary {
+        let _ = writeln!(out, "- {sentence}");
+    }
+    if !out.is_empty() {
+        out.push('\n');
+    }
+    let _ = write!(out, "| failed |{} modes |\n|---|{}---|\n", heads.concat(), "---|".repeat(names.len()));
     for row in &table.rows {
         let _ = write!(out, "| {} |", title(row));
         for event in &row.events {
@@ -154,7 +169,7 @@ pub fn faults_markdown(table: &FaultTable) -> String {
     out
 }
 
-/// Renders the table as a page of its own.
+/// Renders the table as a page of its own: the sentences, then one row for each set of failed sensors.
 pub fn faults_html(table: &FaultTable, file: &str) -> String {
     let cell = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     let mut rows = String::new();
@@ -174,13 +189,21 @@ pub fn faults_html(table: &FaultTable, file: &str) -> String {
     }
     let names = table.rows.first().map_or(&[][..], |row| &row.events).iter();
     let heads = names.map(|event| format!("<th>{}</th>", cell(&event.name))).collect::<Vec<_>>().concat();
+    let mut items = String::new();
+    for sentence in &table.summary {
+        // Every second backtick ends a name.
+        let sentence = cell(sentence);
+        let parts: Vec<_> = sentence.split('`').collect();
+        let marked: Vec<_> = parts.chunks(2).map(|pair| pair.join("<code>")).collect();
+        let _ = writeln!(items, "<li>{}</li>", marked.join("</code>"));
+    }
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Fault table of {0}</title>\n<style>\n\
          body {{ font: 15px/1.4 system-ui, sans-serif; margin: 2rem; color: #1b1b1b; background: #fff }}\n\
          table {{ border-collapse: collapse }}\n\
          th, td {{ border: 1px solid #ccc; padding: .4rem .6rem; text-align: left; vertical-align: top }}\n\
          .bad {{ background: #fde7e3 }} .good {{ background: #e8f4ea }} small {{ color: #555 }}\n\
-         </style>\n<h1>Fault table of {0}</h1>\n<table>\n<tr><th>failed</th>{heads}<th>modes</th></tr>\n{rows}</table>\n</html>\n",
+         </style>\n<h1>Fault table of {0}</h1>\n<ul>\n{items}</ul>\n<table>\n<tr><th>failed</th>{heads}<th>modes</th></tr>\n{rows}</table>\n</html>\n",
         cell(file)
     )
 }

@@ -5,6 +5,8 @@ import std.behaviors.obstacle_avoidance
 
 /// Pushes what is light, goes around what is heavy (fig. 7).
 behavior obstacle_manipulation extends obstacle_avoidance {
+    // lmsl: allow(trapped-by-failure) because a force stuck at 0 N makes every box look light, and the robot goes on
+    // pushing for four seconds at a time; known to have failed, it inhibits push, and the robot avoids every box
     mode forward {
         drive(26 cm/s)
         1: heavy_obstacle    -> stop

@@ -151,6 +151,7 @@ variable contact: N in 0 .. 400 fails 0 {
 }
 
 network bump(left: acceleration, force: contact) {
+    // lmsl: allow(single-point-of-failure) because a hit is a force
     event hit {
         contributor (neg, high)
         detractor   (_, low)

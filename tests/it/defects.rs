@@ -203,7 +203,9 @@ const SHARED: [&str; 1] = ["LM0201"];
 fn found(what: &str, text: &str, codes: &[&str], told: &[&str]) {
     let analysis = analyze_texts(&[("it.msd", text)]);
     let text = report(&analysis);
-    let found: BTreeSet<_> = doubts(&analysis).iter().map(|finding| finding.rule.code).collect();
+    // What failures do has tests of its own.
+    let found = doubts(&analysis).into_iter().filter(|finding| !finding.rule.is_about_faults());
+    let found: BTreeSet<_> = found.map(|finding| finding.rule.code).collect();
     assert_eq!(found, codes.iter().copied().collect(), "{what}\n{text}");
     let own = analysis.findings.iter().find(|finding| finding.rule.code == codes[0]).unwrap();
     let labels = own.labels.iter().map(|label| label.message.as_str());

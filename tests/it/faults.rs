@@ -123,8 +123,13 @@ fn the_table_is_one_json_object() {
 fn the_table_is_shown_to_people_too() {
     insta::assert_snapshot!(answer(&["faults", MANIPULATION]));
     let markdown = answer(&["faults", MANIPULATION, "--format", "markdown"]);
-    assert_eq!(markdown.lines().count(), 6, "{markdown}");
-    assert!(markdown.lines().all(|line| line.matches('|').count() == 5), "{markdown}");
+    let (sentences, table) = markdown.split_once("\n\n").unwrap();
+    assert!(sentences.lines().count() == 2 && sentences.lines().all(|line| line.starts_with("- ")), "{markdown}");
+    assert_eq!(table.lines().count(), 6, "{markdown}");
+    assert!(table.lines().all(|line| line.matches('|').count() == 5), "{markdown}");
     let html = answer(&["faults", "stdlib/networks/obstacle_id.fsfn", "--format", "html"]);
+    let sentence = "<li><code>heavy_obstacle</code> depends on <code>force</code> alone and implies \
+        <code>forward_collision</code>.</li>";
+    assert!(html.contains(sentence), "{html}");
     assert!(html.starts_with("<!doctype html>") && html.contains("obstacle_id.heavy_obstacle"));
 }

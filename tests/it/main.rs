@@ -10,6 +10,7 @@ mod defects;
 mod docs;
 mod examples;
 mod fault_table;
+mod fault_words;
 mod faults;
 mod fuzzy_findings;
 mod golden;

@@ -135,3 +135,39 @@ fn what_never_happens_is_not_seen() {
     }
     assert!(dead > 50 && live > 400, "{dead} dead, {live} live: the diagrams show nothing");
 }
+
+#[test]
+fn what_a_failure_traps_never_gets_out() {
+    let mut random = Random { state: 11, recalls: false };
+    let mut trapped = 0;
+    for _ in 0..50 {
+        let text = format!("{CART}{}", random.behavior("b"));
+        let analysis = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
+        let plan = plan::build(analysis.checked().unwrap(), Id::new(0), Id::new(0), &[]);
+        for finding in analysis.findings.iter().filter(|finding| finding.rule.code == "LM0604") {
+            let (modes, failures) = finding.message.split_once(" with ").unwrap();
+            let trap: Vec<_> = (0..4_u32).filter(|mode| modes.contains(&format!("`m{mode}`"))).collect();
+            let ways = [("`x` failed at 3", 0, 3.0, true), ("`y` failed at 7", 1, 7.0, true)];
+            let known = [("`x` known to have failed", 0, 0.0, false), ("`y` known to have failed", 1, 0.0, false)];
+            for (_, sensor, value, healthy) in ways.into_iter().chain(known).filter(|way| failures.contains(way.0)) {
+                let mut machine = Machine::new(&plan, 1);
+                let mut readings = [0.0; 2].map(|value| Reading { value, healthy: true });
+                let mut is_caught = false;
+                for tick in 0..600 {
+                    for reading in &mut readings {
+                        reading.value = random.below(21) as f64 / 2.0;
+                    }
+                    if tick > 100 {
+                        readings[sensor] = Reading { value, healthy };
+                        is_caught |= trap.contains(&machine.mode());
+                    }
+                    let done = random.below(4) == 0;
+                    machine.step(Inputs { readings: &readings, done }, 100_000_000, &mut Deaf);
+                    assert!(!is_caught || trap.contains(&machine.mode()), "{}\n{text}", report(&analysis));
+                }
+                trapped += usize::from(is_caught);
+            }
+        }
+    }
+    assert!(trapped > 10, "{trapped} traps: the diagrams show nothing");
+}

@@ -4,6 +4,7 @@
 //! later one if some feasible tick takes no exit. Ticks are taken to be shorter than the time between two thresholds.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use super::faults::{self, FaultSet};
 use super::formula::{Atom, Formula, compare};
@@ -68,6 +69,7 @@ const MOST_EDGES: i128 = 64;
 pub(super) type State = (usize, Vec<u32>);
 
 /// Where a mode can be left for under one set of faults.
+#[derive(PartialEq)]
 pub(super) struct Gates {
     /// For each transition whether its target is not inhibited.
     pub(super) open: Vec<bool>,
@@ -86,34 +88,38 @@ impl Gates {
 }
 
 /// A mode under one set of faults.
-struct Case {
+pub(super) struct Case {
     ticks: Vec<Tick>,
     gates: Gates,
 }
 
 impl Case {
-    fn new(scene: &Scene<'_>, mode: &Mode, formula: &Formula, faults: &FaultSet) -> Option<Self> {
+    /// `None` where there are too many ticks to look into.
+    pub(super) fn new(scene: &Scene<'_>, mode: &Mode, formula: &Formula, faults: &FaultSet) -> Option<Self> {
         let gates = Gates::new(scene, mode, faults);
         // Where the machine goes elsewhere at once, no exit is tried on any tick.
         let ticks = if gates.lost.is_some() { Vec::new() } else { feasible(scene, formula, faults)? };
         Some(Self { ticks, gates })
     }
+
+    /// Whether the same can happen as under other faults.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let truths = |case: &Self| {
+            let mut truths: Vec<_> = case.ticks.iter().map(|tick| tick.truth).collect();
+            truths.sort_unstable();
+            truths
+        };
+        self.gates == other.gates && self.ticks.len() == other.ticks.len() && truths(self) == truths(other)
+    }
 }
 
-/// What can happen in a mode on ticks that are each under one of these sets of faults, from its entry on and from where
-/// it may have been `before` the last sensor failed. Ticks are shown from the entry on, for the first set alone. `None`
-/// where there are too many cases to look into.
-pub(super) fn stay(
-    scene: &Scene<'_>,
-    mode: &Mode,
-    formula: &Formula,
-    sets: &[FaultSet],
-    before: &BTreeSet<State>,
-) -> Option<Stay> {
+/// What can happen in a mode on ticks that are each of one of these cases, from its entry on and from where it may have
+/// been `before` the last sensor failed. Ticks are shown from the entry on, for the first case alone. `None` where there
+/// is too much to look into.
+pub(super) fn stay(formula: &Formula, cases: &[Rc<Case>], before: &BTreeSet<State>) -> Option<Stay> {
     let clock = Clock::new(formula)?;
-    let cases: Vec<_> = sets.iter().map(|faults| Case::new(scene, mode, formula, faults)).collect::<Option<_>>()?;
     let lost = cases.first().and_then(|case| case.gates.lost);
-    let exits = vec![Exit::default(); mode.transitions.len()];
+    let exits = vec![Exit::default(); formula.roots.len()];
     let mut stay = Stay { exits, lasts: false, lost, states: BTreeSet::new() };
 
     let start = clock.start();

@@ -1,8 +1,9 @@
 //! One mode under everything that may have failed.
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
-use super::dwell::{Stay, stay};
+use super::dwell::{Case, Stay, stay};
 use super::faults::{Fault, FaultSet, fails_of_variables};
 use super::formula::{Atom, Formula, Operand};
 use super::ticks::Scene;
@@ -11,23 +12,32 @@ use crate::ir::{FailReading, Mode, Sensor};
 
 /// A mode under every set of failed sensors that could give it readings or flags it has not otherwise, each failing
 /// and recovering on any tick. What never happens then never happens.
-pub(super) struct Examined {
-    pub(super) formula: Formula,
-    pub(super) stay: Stay,
+pub(in crate::analysis) struct Examined {
+    pub(super) formula: Rc<Formula>,
+    pub(super) cases: Vec<(FaultSet, Rc<Case>)>,
+    pub(super) stay: Rc<Stay>,
 }
 
 /// More sets of failed sensors are not looked into.
 const MOST_CASES: usize = 1 << 8;
 
+/// Whether nothing in a mode was broken. Of two transitions with one priority nothing says which comes first.
+pub(super) fn is_whole(mode: &Mode) -> bool {
+    let is_ordered = mode.transitions.is_sorted_by(|one, next| one.priority < next.priority);
+    !mode.incomplete && is_ordered && mode.transitions.iter().all(|transition| transition.target.is_some())
+}
+
 /// `None` where the mode is broken, or has too many cases to look into.
 pub(super) fn examine(scene: &Scene<'_>, mode: &Mode) -> Option<Examined> {
-    if mode.incomplete || mode.transitions.iter().any(|transition| transition.target.is_none()) {
+    if !is_whole(mode) {
         return None;
     }
     let formula = Formula::new(scene.program, scene.diagram, &mode.transitions)?;
-    let cases = fault_sets(scene, mode, &formula, usize::MAX)?;
-    let stay = stay(scene, mode, &formula, &cases, &BTreeSet::new())?;
-    Some(Examined { formula, stay })
+    let sets = fault_sets(scene, mode, &formula, usize::MAX)?;
+    let case = |faults| Case::new(scene, mode, &formula, faults).map(Rc::new);
+    let cases: Vec<_> = sets.iter().map(case).collect::<Option<_>>()?;
+    let stay = Rc::new(stay(&formula, &cases, &BTreeSet::new())?);
+    Some(Examined { formula: Rc::new(formula), cases: sets.into_iter().zip(cases).collect(), stay })
 }
 
 /// Every set of at most `most` faults that adds to what can happen, smallest first. A sensor stuck at some reading reads
@@ -55,7 +65,7 @@ pub(super) fn fault_sets(scene: &Scene<'_>, mode: &Mode, formula: &Formula, most
 }
 
 /// The sensors whose reported failure the mode can tell, or that inhibit it or where it leads.
-fn reported(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> BTreeSet<Id<Sensor>> {
+pub(super) fn reported(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> BTreeSet<Id<Sensor>> {
     let targets = mode.transitions.iter().filter_map(|transition| transition.target).chain(mode.otherwise);
     let required = targets.flat_map(|target| &scene.diagram.modes[target].requires).chain(&mode.requires);
     let told = formula.atoms.iter().filter_map(|atom| match atom {

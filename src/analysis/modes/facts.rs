@@ -3,14 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
-use super::dwell::{Moment, State, Stay, Way, stay};
+use super::dwell::{Case, Moment, State, Stay, Way, stay};
 use super::examined::concerning;
-use super::faults::{self, Fault, FaultSet, fails_of_variables};
-use super::formula::{Atom, Formula, Operand};
+use super::fault_sets::fault_sets;
+use super::faults::{self, FaultSet};
+use super::formula::Formula;
 use super::ticks::Scene;
 use crate::analysis::reachability::Graph;
-use crate::base::{Exact, Id};
-use crate::ir::{Diagram, FailReading, Mode, Program, Sensor};
+use crate::base::Id;
+use crate::ir::{Diagram, Mode, Program, Sensor};
 
 /// What a diagram can do under some faults, which may strike one after another while it runs, and stay.
 #[derive(Debug, Clone)]
@@ -141,7 +142,8 @@ impl<'s, 'a> Table<'s, 'a> {
         let faults: FaultSet = faults.iter().filter(|(sensor, _)| sensors.contains(sensor)).copied().collect();
         let scene = self.scene;
         let new = |(mode, faults, states): &Visit| {
-            stay(scene, &scene.diagram.modes[*mode], formula, std::slice::from_ref(faults), states).map(Rc::new)
+            let case = Case::new(scene, &scene.diagram.modes[*mode], formula, faults)?;
+            stay(formula, &[Rc::new(case)], states).map(Rc::new)
         };
         self.stays.entry((mode, faults, states)).or_insert_with_key(new).clone()
     }
@@ -175,60 +177,18 @@ impl<'s, 'a> Table<'s, 'a> {
 
     /// Every set of at most `up_to` faults of the sensors that the diagram looks at, smallest first.
     pub(super) fn fault_sets(&self, up_to: usize) -> Vec<FaultSet> {
-        let sensors: BTreeSet<_> = self.formulas.iter().flatten().flat_map(|(_, sensors)| sensors).copied().collect();
-        let mut sets = vec![FaultSet::new()];
-        for sensor in sensors {
-            let faults = self.faults(sensor);
-            let small: Vec<_> = sets.iter().filter(|set| set.len() < up_to).cloned().collect();
-            for set in small {
-                sets.extend(faults.iter().map(|fault| [set.as_slice(), &[(sensor, *fault)]].concat()));
-            }
-        }
-        sets.sort_by_key(Vec::len);
-        sets
-    }
-
-    /// The ways in which a sensor fails: those it declares, or its variables do, and that it is reported.
-    fn faults(&self, sensor: Id<Sensor>) -> Vec<Fault> {
-        let own = &self.scene.program.sensors[sensor].fails;
-        let of_variables = || fails_of_variables(self.scene.program, self.scene.diagram, sensor).copied().collect();
-        let declared = if own.is_empty() { of_variables() } else { own.clone() };
-        let mut faults = BTreeSet::from([Fault::Reported]);
-        for fail in declared {
-            match fail {
-                FailReading::Value(at) => {
-                    faults.insert(Fault::Stuck(at));
-                }
-                FailReading::Any => faults.extend(self.stretches(sensor)),
-                FailReading::Absent => {
-                    faults.insert(Fault::Absent);
-                }
-            }
-        }
-        faults.into_iter().collect()
-    }
-
-    /// The readings of a sensor one by one where the diagram compares it, and those between.
-    fn stretches(&self, sensor: Id<Sensor>) -> Vec<Fault> {
-        let (low, high) = self.scene.program.sensors[sensor].range;
-        let mut cuts = BTreeSet::from([low, high]);
-        for atom in self.formulas.iter().flatten().flat_map(|(formula, _)| &formula.atoms) {
-            if let Atom::Compare(_, compared, Operand::Number(number)) = atom
-                && *compared == sensor
-            {
-                cuts.insert(*number);
-            }
-        }
-        let cuts: Vec<Exact> = cuts.into_iter().filter(|at| low <= *at && *at <= high).collect();
-        let between = cuts.windows(2).map(|pair| Fault::Between(pair[0], pair[1]));
-        cuts.iter().map(|at| Fault::Stuck(*at)).chain(between).collect()
+        let modes: Vec<_> = self.formulas.iter().flatten().map(|(formula, sensors)| (formula, sensors)).collect();
+        fault_sets(self.scene, &modes, up_to, usize::MAX)
     }
 }
 
 /// Where a mode can lead, and how.
 fn ways(mode: &Mode, stay: Option<&Stay>) -> Vec<(Id<Mode>, Way)> {
     match stay {
-        None => mode.transitions.iter().filter_map(|exit| Some((exit.target?, Way::Open))).collect(),
+        None => {
+            let targets = mode.transitions.iter().filter_map(|exit| exit.target).chain(mode.otherwise);
+            targets.map(|target| (target, Way::Open)).collect()
+        }
         Some(Stay { lost: Some(otherwise), .. }) => {
             let moment = Moment { dwell: 0, done: false, readings: Vec::new() };
             vec![(*otherwise, Way::Shown(vec![moment]))]

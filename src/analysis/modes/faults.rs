@@ -49,7 +49,7 @@ pub(super) fn readings(
 }
 
 /// What the machine reads for a sensor known to have failed; unknown on an interface, whose robots each say it.
-fn fail_reading(program: &Program, diagram: &Diagram, sensor: Id<Sensor>) -> Option<Exact> {
+pub(super) fn fail_reading(program: &Program, diagram: &Diagram, sensor: Id<Sensor>) -> Option<Exact> {
     if matches!(diagram.platform, Platform::Interface(_)) {
         return None;
     }

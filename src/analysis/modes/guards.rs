@@ -8,9 +8,9 @@ use crate::ir::{Diagram, Mode};
 
 pub(super) fn check(diagram: &Diagram, modes: &[Option<Examined>], findings: &mut Vec<Diagnostic>) {
     let (Some(entry), false) = (diagram.entry, diagram.incomplete) else { return };
-    let drawn = Graph::new(diagram, |mode| written(&diagram.modes[mode])).reached(entry);
+    let drawn = Graph::new(diagram, |mode| written(&diagram.modes[mode])).reached([entry]);
     let live = Graph::new(diagram, |mode| successors(&diagram.modes[mode], modes[mode.index()].as_ref()));
-    let reached = live.reached(entry);
+    let reached = live.reached([entry]);
     for (target, mode) in diagram.modes.iter().filter(|(id, _)| drawn[id.index()] && !reached[id.index()]) {
         // Modes behind this one are out of reach for the same reason; they are not reported one by one.
         let dead = ways_in(diagram, target, &reached);

@@ -3,15 +3,18 @@
 //! A claim that something never happens holds for all readings and all failures. Only then is there a warning.
 
 mod always_true;
+mod changes;
 mod cycles;
 mod dwell;
 mod examined;
 mod facts;
+mod fault_sets;
 mod faults;
 mod formula;
 mod fusion;
 mod guards;
 mod inhibited;
+mod known;
 mod left_at_once;
 mod machine;
 mod masked;
@@ -29,7 +32,9 @@ mod ticks;
 mod timers;
 mod traps;
 
+pub(super) use changes::{Change, Changes, changes};
 pub use dwell::{Clock, Moment, Way};
+pub(super) use examined::Examined;
 pub use facts::{Facts, ModeFacts, Step, fault_table};
 pub use faults::{Fault, FaultSet};
 pub(super) use formula::parts;
@@ -38,13 +43,13 @@ pub use machine::{Case, Guards, Machine, machine};
 pub(super) use outcomes::{Conditions, Outcomes};
 pub use properties::{Proof, Prover};
 pub use stimuli::Stimulus;
+pub(super) use ticks::Scene;
 
 use crate::base::Id;
 use crate::diag::Diagnostic;
-use crate::ir::{Diagram, Mode, Program, Sense, Transition};
-use examined::{Examined, examine};
+use crate::ir::{Diagram, Mode, Program, Transition};
+use examined::examine;
 use fusion::Readings;
-use ticks::Scene;
 
 /// A transition with what is known of its mode.
 struct Subject<'a> {
@@ -93,25 +98,17 @@ fn target_name(diagram: &Diagram, transition: &Transition) -> String {
     }
 }
 
-/// Warns of what never happens in a diagram, and of what never ends. Each mode costs the number of feasible ticks of
-/// its own conditions, each diagram the number of its transitions.
-pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Diagnostic>) {
-    // A sense whose inputs were broken has none; what its events do is unknown.
-    let is_whole = |sense: &Sense| sense.inputs.len() == program.networks[sense.network].inputs.len();
-    if !diagram.senses.iter().all(is_whole) {
-        return;
-    }
-    let scene = Scene::new(program, diagram);
-    // Of two transitions with one priority nothing says which comes first.
-    let is_ordered = |mode: &&Mode| mode.transitions.is_sorted_by(|one, next| one.priority < next.priority);
-    let examined = |mode| Some(mode).filter(is_ordered).and_then(|mode| examine(&scene, mode));
-    let modes: Vec<_> = diagram.modes.values().map(examined).collect();
+/// Warns of what never happens in a diagram, and of what never ends; answers what is known of each mode. Each mode costs
+/// the number of feasible ticks of its own conditions, each diagram the number of its transitions.
+pub(super) fn check(scene: &Scene<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Option<Examined>> {
+    let Scene { program, diagram, .. } = *scene;
+    let modes: Vec<_> = diagram.modes.values().map(|mode| examine(scene, mode)).collect();
     for (mode, examined) in diagram.modes.values().zip(&modes) {
         let Some(examined) = examined else { continue };
         let found = findings.len();
         // One finding for a transition, the one that says most, from the top: an exit that always fires hides the rest.
         for index in 0..mode.transitions.len() {
-            let subject = Subject { scene: &scene, program, diagram, mode, examined, index };
+            let subject = Subject { scene, program, diagram, mode, examined, index };
             if always_true::check(&subject, findings) {
                 break;
             }
@@ -127,9 +124,10 @@ pub(super) fn check(program: &Program, diagram: &Diagram, findings: &mut Vec<Dia
     }
     guards::check(diagram, &modes, findings);
     traps::check(diagram, &modes, findings);
-    one_tick::check(&scene, &modes, findings);
-    oscillation::check(&scene, &modes, findings);
-    swapping::check(&scene, &modes, findings);
+    one_tick::check(scene, &modes, findings);
+    oscillation::check(scene, &modes, findings);
+    swapping::check(scene, &modes, findings);
+    modes
 }
 
 /// The modes a mode can lead to, whatever has failed; all that are written where nothing is known of it.

@@ -14,7 +14,7 @@ pub(super) fn check(scene: &Scene<'_>, modes: &[Option<Examined>], findings: &mu
     let Some(entry) = diagram.entry else { return };
     let graph = Graph::new(diagram, |mode| at_once(&diagram.modes[mode], modes[mode.index()].as_ref()));
     let all = Graph::new(diagram, |mode| super::successors(&diagram.modes[mode], modes[mode.index()].as_ref()));
-    let reached = all.reached(entry);
+    let reached = all.reached([entry]);
     for group in graph.groups().iter().filter(|group| group.len() > 1 && reached[group[0].index()]) {
         let cycle = shortest(scene, group, Pace::EveryTick);
         if let Some(cycle) = cycle.unwrap_or_else(|TooLarge| cycle_of_two(scene, &graph, group)) {

@@ -10,7 +10,7 @@ pub(super) fn check(scene: &Scene<'_>, modes: &[Option<Examined>], findings: &mu
     let diagram = scene.diagram;
     let Some(entry) = diagram.entry else { return };
     let graph = Graph::new(diagram, |mode| successors(&diagram.modes[mode], modes[mode.index()].as_ref()));
-    let reached = graph.reached(entry);
+    let reached = graph.reached([entry]);
     for group in graph.groups().iter().filter(|group| group.len() > 1 && reached[group[0].index()]) {
         if let Ok(Some(cycle)) = shortest(scene, group, Pace::Slower) {
             findings.push(oscillation(scene, &cycle));

@@ -7,18 +7,24 @@ use super::formula::{Atom, Formula, Operand, compare};
 use super::fusion::{Fusion, Question, Readings};
 use crate::analysis::support::{Cut, Interval};
 use crate::base::{Exact, Id};
-use crate::ir::{Diagram, Program, Sensor};
+use crate::ir::{Diagram, Program, Sense, Sensor};
 
 /// What the modes of a diagram are looked at with.
-pub(super) struct Scene<'a> {
-    pub(super) program: &'a Program,
-    pub(super) diagram: &'a Diagram,
+pub(in crate::analysis) struct Scene<'a> {
+    pub(in crate::analysis) program: &'a Program,
+    pub(in crate::analysis) diagram: &'a Diagram,
     pub(super) fusion: Fusion,
 }
 
 impl<'a> Scene<'a> {
-    pub(super) fn new(program: &'a Program, diagram: &'a Diagram) -> Self {
+    pub(in crate::analysis) fn new(program: &'a Program, diagram: &'a Diagram) -> Self {
         Self { program, diagram, fusion: Fusion::default() }
+    }
+
+    /// Whether every sense has its inputs. Where they were broken, what its events do is unknown.
+    pub(in crate::analysis) fn is_whole(&self) -> bool {
+        let is_whole = |sense: &Sense| sense.inputs.len() == self.program.networks[sense.network].inputs.len();
+        self.diagram.senses.iter().all(is_whole)
     }
 
     fn readings(&self, sensor: Id<Sensor>, faults: &FaultSet) -> Option<Interval> {
@@ -179,34 +185,57 @@ fn fused(
     here: &BTreeMap<Id<Sensor>, Cell>,
     truth: u64,
 ) -> Option<Vec<Tick>> {
-    let absent = |sensor: &Id<Sensor>| scene.readings(*sensor, faults).is_none();
     let compared: Readings = here.iter().map(|(sensor, (_, at))| (*sensor, *at)).collect();
-    let mut atoms = Vec::new();
-    let mut events = Vec::new();
-    for (index, atom) in formula.atoms.iter().enumerate() {
-        if let Atom::Event { sense, event } = *atom {
-            atoms.push(index);
-            events.push((sense, event));
-        }
-    }
+    let events = events(formula);
     if events.is_empty() {
-        let shown = !compared.iter().any(|(sensor, _)| absent(sensor));
+        let shown = here.keys().all(|sensor| scene.readings(*sensor, faults).is_some());
         return Some(vec![Tick { truth, readings: shown.then_some(compared) }]);
     }
-    let sensors: BTreeSet<_> =
-        events.iter().flat_map(|(sense, _)| &scene.diagram.senses[*sense as usize].inputs).copied().collect();
-    let feed = |sensor: Id<Sensor>| {
-        let whole = scene.readings(sensor, faults);
-        (sensor, whole.map(|whole| here.get(&sensor).map_or(whole, |(cell, _)| *cell)))
-    };
-    let feeds = sensors.into_iter().map(feed).collect();
-    let answers = scene.fusion.ask(scene.program, scene.diagram, Question { events, feeds })?;
+    let is_event = |atom: &Atom| matches!(atom, Atom::Event { .. });
+    let atoms: Vec<_> = (0..formula.atoms.len()).filter(|index| is_event(&formula.atoms[*index])).collect();
+    let question = question(scene, events, faults, here);
+    let answers = scene.fusion.ask(scene.program, scene.diagram, question)?;
     let tick = |set: u64, readings: Option<&Readings>| {
         let events: u64 = atoms.iter().enumerate().map(|(bit, atom)| (set >> bit & 1) << atom).sum();
         let readings = readings.and_then(|readings| merged(formula, here, &compared, readings));
         Tick { truth: truth | events, readings }
     };
     Some(answers.iter().map(|answer| tick(answer.set, answer.readings.as_ref())).collect())
+}
+
+/// The events of a formula.
+pub(super) fn events(formula: &Formula) -> Vec<(u32, u32)> {
+    let events = formula.atoms.iter().filter_map(|atom| match *atom {
+        Atom::Event { sense, event } => Some((sense, event)),
+        _ => None,
+    });
+    events.collect()
+}
+
+/// What to ask of some events while compared sensors read here.
+fn question(
+    scene: &Scene<'_>,
+    events: Vec<(u32, u32)>,
+    faults: &FaultSet,
+    here: &BTreeMap<Id<Sensor>, Cell>,
+) -> Question {
+    let sensors: BTreeSet<_> =
+        events.iter().flat_map(|(sense, _)| &scene.diagram.senses[*sense as usize].inputs).copied().collect();
+    let feed = |sensor: Id<Sensor>| {
+        let whole = scene.readings(sensor, faults);
+        (sensor, whole.map(|whole| here.get(&sensor).map_or(whole, |(cell, _)| *cell)))
+    };
+    Question { events, feeds: sensors.into_iter().map(feed).collect() }
+}
+
+/// Whether some events can be set together under some faults as ever.
+pub(super) fn is_fused_alike(scene: &Scene<'_>, events: &[(u32, u32)], faults: &FaultSet) -> bool {
+    let sets = |faults: &FaultSet| {
+        let question = question(scene, events.to_vec(), faults, &BTreeMap::new());
+        let answers = scene.fusion.ask(scene.program, scene.diagram, question)?;
+        Some(answers.iter().map(|answer| answer.set).collect::<BTreeSet<_>>())
+    };
+    events.is_empty() || sets(&FaultSet::new()).is_some_and(|healthy| sets(faults) == Some(healthy))
 }
 
 /// The readings that set the events, and those of the compared sensors that feed none of them; `None` where the

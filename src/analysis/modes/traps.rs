@@ -9,7 +9,7 @@ use crate::ir::{Diagram, Mode};
 pub(super) fn check(diagram: &Diagram, modes: &[Option<Examined>], findings: &mut Vec<Diagnostic>) {
     let (Some(entry), false) = (diagram.entry, diagram.incomplete) else { return };
     let graph = Graph::new(diagram, |mode| successors(&diagram.modes[mode], modes[mode.index()].as_ref()));
-    let reached = graph.reached(entry);
+    let reached = graph.reached([entry]);
     for group in graph.groups() {
         let ends = group.iter().all(|mode| graph.successors(*mode).all(|target| is_in(&group, target)));
         if ends && reached[group[0].index()] && is_trap(diagram, &group, &reached) {

@@ -1,6 +1,8 @@
 //! All that is asked of one event.
 
 use super::engine::{Method, engine};
+use super::faults::FaultSet;
+use super::model::{EventModel, Model};
 use super::question::Question;
 use super::witness::{Readings, Witness};
 
@@ -46,6 +48,26 @@ pub struct EventFacts {
     pub contributor: Vec<RuleFacts>,
     /// Of every detractor rule.
     pub detractor: Vec<RuleFacts>,
+}
+
+impl Model {
+    /// Whether it is not proved that an event is never set under some failures. Cheaper than all that is known of it.
+    pub fn can_set(&self, event: usize, faults: &FaultSet) -> bool {
+        self.can(self.loose.as_ref().unwrap_or(&self.events).get(event), faults, Question::Set)
+    }
+
+    /// Whether it is not proved that an event is never clear under some failures.
+    pub fn can_clear(&self, event: usize, faults: &FaultSet) -> bool {
+        self.can(self.events.get(event), faults, Question::Clear)
+    }
+
+    fn can(&self, event: Option<&EventModel>, faults: &FaultSet, question: Question) -> bool {
+        let Some(event) = event else { return false };
+        let states = self.states(faults);
+        let levels = event.levels(&states);
+        let mut engine = engine(Method::Fitting, event, &states, &levels);
+        question.conditions(event).iter().any(|condition| engine.find(condition).is_some())
+    }
 }
 
 /// What is known of a rule.

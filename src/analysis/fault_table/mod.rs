@@ -1,5 +1,12 @@
 //! The fault table: what the events and modes of a machine can still do under every set of failed sensors.
 
+mod event_words;
+mod mode_words;
+mod summary;
+
+use std::collections::BTreeSet;
+
+use super::failures::{self, View, feed, how};
 use super::modes::{self, Facts};
 use super::network::{self, Fault, FaultSet, Feed, Model, NetworkFacts, SingleRule, Witness};
 use crate::base::{FileId, Id, Unit};
@@ -10,6 +17,8 @@ use crate::ir::{self, FailReading, Program};
 pub struct FaultTable {
     /// The rows.
     pub rows: Vec<FaultRow>,
+    /// What they say, in sentences. Names stand in backticks.
+    pub summary: Vec<String>,
 }
 
 /// What is left under one set of failed sensors.
@@ -30,13 +39,14 @@ pub struct FaultRow {
 pub struct ModesRow {
     /// The behavior's name.
     pub diagram: String,
-    /// Modes the machine can be in; the others are proved out of reach.
+    /// Modes the machine can be in, whether it knows of the failures or not, and since whenever they are there; the
+    /// others are proved out of reach.
     pub reachable: Vec<String>,
     /// The others.
     pub unreachable: Vec<String>,
     /// Modes the machine can reach and never leaves while the sensors stay failed, alone or among each other.
     pub traps: Vec<String>,
-    /// Modes that require a failed sensor: they are not entered once it is known to have failed.
+    /// Modes that require a failed sensor: they are not entered while it is known to have failed.
     pub inhibited: Vec<String>,
 }
 
@@ -88,7 +98,7 @@ pub fn fault_table(program: &Program, files: &[FileId], up_to: usize) -> FaultTa
         let modes = diagrams.iter().map(|(id, facts)| modes_row(program, &group, *id, facts, &faults)).collect();
         FaultRow { modes, ..row(program, &group, &models, &faults) }
     });
-    FaultTable { rows: rows.collect() }
+    FaultTable { rows: rows.collect(), summary: summary::summary(program, &group, &models, up_to) }
 }
 
 /// The sensors that can fail, and the networks they feed.
@@ -125,12 +135,20 @@ impl Group {
             let inputs = inputs.map(|(&sensor, input)| {
                 known.iter().position(|&known| known == sensor).unwrap_or_else(|| {
                     known.push(sensor);
-                    group.sensors.push(Source::of_sensor(program, sensor, input.variable));
+                    group.sensors.push(Source::of_sensor(program, sensor, Some(input.variable)));
                     known.len() - 1
                 })
             });
             let inputs = inputs.collect();
             group.add(Sense { name: sense.symbol.name.clone(), network: sense.network, inputs });
+        }
+        for diagram in &diagrams {
+            for sensor in
+                looked_at(program, diagram).into_iter().filter(|sensor| !known.contains(sensor)).collect::<Vec<_>>()
+            {
+                known.push(sensor);
+                group.sensors.push(Source::of_sensor(program, sensor, None));
+            }
         }
         if diagrams.is_empty() {
             for (id, network) in program.networks.iter().filter(|(_, network)| is_asked(&network.symbol)) {
@@ -143,6 +161,12 @@ impl Group {
         group
     }
 
+    /// A failed input of a sensed network as it is told.
+    fn failed(&self, sensed: &Sensed<'_>, fault: &Fault) -> failures::Failed<'_> {
+        let Source { name, unit, feed, .. } = &self.sensors[sensed.inputs[fault.input]];
+        failures::Failed { name, unit, range: feed.range, how: how(fault.reading, feed.range) }
+    }
+
     /// Adds a sensed network, once for all behaviors that sense it alike.
     fn add(&mut self, sense: Sense) {
         let is_same = |known: &Sense| known.network == sense.network && known.inputs == sense.inputs;
@@ -152,12 +176,16 @@ impl Group {
     }
 }
 
+/// The sensors that the modes of a diagram compare, or whose failure they ask for.
+fn looked_at(program: &Program, diagram: &ir::Diagram) -> BTreeSet<Id<ir::Sensor>> {
+    let views = View::of_modes(program, diagram).into_iter();
+    views.flat_map(|view| view.exits.into_iter().flat_map(|looks| looks.compared).chain(view.answers)).collect()
+}
+
 impl Source {
-    fn of_sensor(program: &Program, id: Id<ir::Sensor>, variable: Id<ir::Variable>) -> Self {
-        let sensor = &program.sensors[id];
-        let fails = if sensor.fails.is_empty() { &program.variables[variable].fails } else { &sensor.fails };
-        let feed = Feed { range: sensor.range, fails: fails.clone() };
-        Self { sensor: Some(id), name: sensor.symbol.name.clone(), unit: sensor.unit.clone(), feed }
+    fn of_sensor(program: &Program, id: Id<ir::Sensor>, variable: Option<Id<ir::Variable>>) -> Self {
+        let ir::Sensor { symbol, unit, .. } = &program.sensors[id];
+        Self { sensor: Some(id), name: symbol.name.clone(), unit: unit.clone(), feed: feed(program, id, variable) }
     }
 
     fn of_input(program: &Program, input: &ir::NetworkInput) -> Self {
@@ -245,12 +273,14 @@ fn modes_row(program: &Program, group: &Group, id: Id<ir::Diagram>, facts: &[Fac
     // Sensors that no condition of the diagram looks at are in none of its sets.
     let is_known = |sensor| facts.iter().any(|facts| facts.faults.iter().any(|(known, _)| *known == sensor));
     let wanted: Vec<_> = failed.iter().copied().filter(|(sensor, _)| is_known(*sensor)).collect();
+    // A failure may be known or not.
     let is_it = |(sensor, reading): &(Id<ir::Sensor>, FailReading), (other, fault): &(Id<ir::Sensor>, modes::Fault)| {
         sensor == other
-            && match reading {
-                FailReading::Value(value) => *fault == modes::Fault::Stuck(*value),
-                FailReading::Any => matches!(fault, modes::Fault::Stuck(_) | modes::Fault::Between(..)),
-                FailReading::Absent => *fault == modes::Fault::Absent,
+            && match fault {
+                modes::Fault::Reported => true,
+                modes::Fault::Stuck(at) => [FailReading::Any, FailReading::Value(*at)].contains(reading),
+                modes::Fault::Between(..) => *reading == FailReading::Any,
+                modes::Fault::Absent => *reading == FailReading::Absent,
             }
     };
     // A sensor stuck anywhere is one set for each stretch of readings that makes a difference.
