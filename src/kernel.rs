@@ -10,30 +10,15 @@
 /// the number clamped to its range. `low <= high`; never NaN if `fail` is not.
 #[inline]
 pub fn sanitize(reading: f64, healthy: bool, low: f64, high: f64, fail: f64) -> f64 {
-    if !healthy || !reading.is_finite() {
-        fail
-    } else if reading < low {
-        low
-    } else if reading > high {
-        high
-    } else {
-        reading
-    }
+    if healthy && reading.is_finite() { maximum(minimum(reading, high), low) } else { fail }
 }
 
 /// Degree of membership (LMSL eq. 1) of a line from 0 at `zero_at` to 1 at `one_at`, in either direction, clamped.
 /// The corners differ. Exact at both corners.
 #[inline]
-#[expect(clippy::manual_clamp, reason = "a clamp would let -0 through")]
 pub fn ramp(x: f64, zero_at: f64, one_at: f64) -> f64 {
-    let degree = (x - zero_at) / (one_at - zero_at);
-    if degree <= 0.0 {
-        0.0
-    } else if degree >= 1.0 {
-        1.0
-    } else {
-        degree
-    }
+    // In this order a degree of -0 becomes 0.
+    maximum(0.0, minimum(1.0, (x - zero_at) / (one_at - zero_at)))
 }
 
 /// Degree of membership of a triangle from `a` over `b` to `c`; `a <= b <= c`. Equal corners are steps with the larger
@@ -44,16 +29,13 @@ pub fn triangle(x: f64, a: f64, b: f64, c: f64) -> f64 {
 }
 
 /// Degree of membership of a trapezoid: 0 at `a`, 1 from `b` to `c`, 0 at `d`; `a <= b <= c <= d`. Equal corners are
-/// steps with the larger degree at the corner.
+/// steps with the larger degree at the corner. Both flanks are computed wherever `x` lies: two divisions side by side
+/// cost less than a branch that readings make hard to predict.
 #[inline]
 pub fn trapezoid(x: f64, a: f64, b: f64, c: f64, d: f64) -> f64 {
-    if x < b {
-        if x <= a { 0.0 } else { (x - a) / (b - a) }
-    } else if x > c {
-        if x >= d { 0.0 } else { (d - x) / (d - c) }
-    } else {
-        1.0
-    }
+    let rising = if a < b { (x - a) / (b - a) } else { rectangle(x, b, d) };
+    let falling = if c < d { (d - x) / (d - c) } else { rectangle(x, a, c) };
+    maximum(0.0, minimum(1.0, minimum(rising, falling)))
 }
 
 /// Degree of membership of the closed interval from `low` to `high`.
@@ -276,6 +258,30 @@ mod tests {
         assert_eq!([1.0, 2.5, 5.0].map(|x| rise_and_fall(x, 0.0, 2.0, 3.0, 7.0)), [0.5, 1.0, 0.5]);
         assert_eq!([0.0, 1.0, 2.0].map(|x| cosine(x, 1.0, 2.0)), [0.0, 1.0, 0.0]);
         assert!(close(cosine(1.5, 1.0, 2.0), 0.5) && cosine(9.0, 1.0, 2.0) == 0.0);
+    }
+
+    #[test]
+    fn a_trapezoid_is_the_line_that_its_flank_says() {
+        let by_cases = |x: f64, [a, b, c, d]: [f64; 4]| {
+            if x < b {
+                if x <= a { 0.0 } else { (x - a) / (b - a) }
+            } else if x > c {
+                if x >= d { 0.0 } else { (d - x) / (d - c) }
+            } else {
+                1.0
+            }
+        };
+        let mut seed = 3;
+        for _ in 0..20_000 {
+            let mut corners = [0; 4].map(|_| (draw(&mut seed, -3.0, 3.0) * 3.0).round() / 3.0);
+            corners.sort_by(f64::total_cmp);
+            let [a, b, c, d] = corners;
+            let beside = corners.map(f64::next_up).into_iter().chain(corners.map(f64::next_down));
+            for x in corners.into_iter().chain(beside).chain([draw(&mut seed, -4.0, 4.0), -0.0]) {
+                let degree = trapezoid(x, a, b, c, d);
+                assert_eq!(degree.to_bits(), by_cases(x, corners).to_bits(), "{x} in {corners:?}");
+            }
+        }
     }
 
     #[test]
