@@ -6,6 +6,7 @@ pub mod base;
 pub mod cli;
 pub mod diag;
 pub mod driver;
+pub mod emit;
 pub mod interp;
 pub mod ir;
 pub mod kernel;

@@ -9,93 +9,143 @@ use super::files;
 use super::terminal::{Terminal, exit_code};
 use crate::analysis::modes;
 use crate::base::Id;
-use crate::driver::Analysis;
+use crate::driver::{Analysis, NotCompiled};
+use crate::emit::{Float, Options};
 use crate::ir::Diagram;
 use crate::view;
 
-/// Make something of behaviors that other tools read.
+/// Compile behaviors and networks to code, or to what other tools read.
 #[derive(Args)]
 #[command(after_help = "\
+Code is made of the behaviors and networks that the files declare, and of the behaviors that their scenarios run.
+
 Examples:
-  lmslc build stdlib/behaviors/obstacle_manipulation.msd --emit promela -o model.pml
+  lmslc build stdlib/behaviors/obstacle_manipulation.msd -o manipulation.rs
+  lmslc build stdlib/networks/obstacle_id.fsfn --float f32
   lmslc build stdlib/behaviors --emit promela --faults 1 -o models/")]
 pub(super) struct Build {
-    /// Files that hold behaviors, folders, or `-` for standard input
+    /// Files, folders, or `-` for standard input
     #[arg(required = true)]
     files: Vec<String>,
     /// What to make
-    #[arg(long, value_name = "KIND")]
+    #[arg(long, value_name = "KIND", default_value = "rust")]
     emit: Emit,
-    /// The most sensors that fail while the model runs
-    #[arg(long = "faults", value_name = "K", default_value_t = 0)]
-    up_to: usize,
-    /// Where to write: a file, or a folder where there are several behaviors; standard output takes all of them
+    /// Rust: the type of numbers [default: f64]
+    #[arg(long, value_name = "TYPE")]
+    float: Option<FloatType>,
+    /// Rust: derive serde's traits for states and readings under this feature of your crate
+    #[arg(long, value_name = "FEATURE")]
+    serde: Option<String>,
+    /// Rust: the robot to compile for what is written on an interface
+    #[arg(long, value_name = "NAME")]
+    robot: Option<String>,
+    /// Promela: the most sensors that fail while the model runs [default: 0]
+    #[arg(long = "faults", value_name = "K")]
+    up_to: Option<usize>,
+    /// Where to write: a file, or for Promela a folder where there are several behaviors; otherwise standard output
     #[arg(short, long, value_name = "PATH")]
     output: Option<String>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Emit {
+    /// A Rust module: `no_std`, without allocation, `unsafe`, panics or dependencies
+    Rust,
     /// A model for the model checker Spin, over all flags that readings can set together
     Promela,
 }
 
-impl Emit {
-    /// How the names of its files end.
-    fn ending(self) -> &'static str {
-        match self {
-            Self::Promela => "pml",
-        }
-    }
+#[derive(Clone, Copy, ValueEnum)]
+enum FloatType {
+    /// The same numbers as everywhere else in lmslc, to the last bit
+    F64,
+    /// Half the size, rounded earlier
+    F32,
 }
 
 impl Build {
     pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
+        if let Some(flag) = self.misplaced() {
+            return Err(terminal.fail(&format!("`{flag}` says nothing about what is made here"), Some("leave it out")));
+        }
         let analysis = files::look(&self.files, terminal)?;
         if analysis.checked().is_none() {
             return Err(exit_code(&analysis));
         }
+        match self.emit {
+            Emit::Rust => self.write(&self.rust(&analysis, terminal)?, terminal)?,
+            Emit::Promela => self.models(&analysis, terminal)?,
+        }
+        Ok(super::CLEAN)
+    }
+
+    /// A flag that belongs to something else than what is made.
+    fn misplaced(&self) -> Option<&'static str> {
+        let of_rust =
+            [("--float", self.float.is_some()), ("--serde", self.serde.is_some()), ("--robot", self.robot.is_some())];
+        let of_promela = [("--faults", self.up_to.is_some())];
+        let elsewhere = match self.emit {
+            Emit::Rust => of_promela.as_slice(),
+            Emit::Promela => of_rust.as_slice(),
+        };
+        elsewhere.iter().find(|(_, is_given)| *is_given).map(|(flag, _)| *flag)
+    }
+
+    /// To where the arguments say.
+    fn write(&self, text: &str, terminal: &Terminal) -> Result<(), u8> {
+        match &self.output {
+            None => {
+                Terminal::print(text);
+                Ok(())
+            }
+            Some(path) => files::write(path, text.as_bytes(), terminal),
+        }
+    }
+
+    fn rust(&self, analysis: &Analysis, terminal: &Terminal) -> Result<String, u8> {
+        let float = match self.float {
+            None | Some(FloatType::F64) => Float::F64,
+            Some(FloatType::F32) => Float::F32,
+        };
+        let options = Options { float, serde: self.serde.clone(), robot: self.robot.clone() };
+        analysis.rust(&options).map_err(|reason| match explain(&reason, &self.files.join("`, `")) {
+            None => exit_code(analysis),
+            Some((message, help)) => terminal.fail(&message, Some(&help)),
+        })
+    }
+
+    /// Writes the models of the behaviors that the files declare: into one text, or each into a file of its name.
+    fn models(&self, analysis: &Analysis, terminal: &Terminal) -> Result<(), u8> {
         let is_asked = |diagram: &Diagram| analysis.roots.contains(&diagram.symbol.span.file);
         let diagrams = analysis.program.diagrams.iter().filter(|(_, diagram)| is_asked(diagram));
         let diagrams: Vec<_> = diagrams.map(|(id, _)| id).collect();
         if diagrams.is_empty() {
             return Err(terminal.fail(&format!("`{}` holds no behavior", self.files.join("`, `")), None));
         }
-        let Some(output) = &self.output else {
-            Terminal::print(&self.make(&analysis, &diagrams, terminal)?);
-            return Ok(super::CLEAN);
+        let is_folder = |path: &&String| diagrams.len() > 1 || Path::new(path).is_dir();
+        let Some(folder) = self.output.as_ref().filter(is_folder) else {
+            return self.write(&self.promela(analysis, &diagrams, terminal)?, terminal);
         };
         let name = |id: &Id<Diagram>| analysis.program.diagrams[*id].symbol.name.as_str();
-        if diagrams.len() == 1 && !Path::new(output).is_dir() {
-            files::write(output, self.make(&analysis, &diagrams, terminal)?.as_bytes(), terminal)?;
-            return Ok(super::CLEAN);
-        }
         let mut names = BTreeSet::new();
         if let Some(twice) = diagrams.iter().find(|id| !names.insert(name(id))) {
             let message =
                 format!("several behaviors are named `{}`, and each goes into a file of its name", name(twice));
             return Err(terminal.fail(&message, Some("build their files one by one")));
         }
-        files::make_folder(output, terminal)?;
-        for id in &diagrams {
-            let path = Path::new(output).join(format!("{}.{}", name(id), self.emit.ending()));
-            files::write(&path.to_string_lossy(), self.make(&analysis, &[*id], terminal)?.as_bytes(), terminal)?;
-        }
-        Ok(super::CLEAN)
-    }
-
-    /// The text for some behaviors.
-    fn make(&self, analysis: &Analysis, diagrams: &[Id<Diagram>], terminal: &Terminal) -> Result<String, u8> {
-        match self.emit {
-            Emit::Promela => self.promela(analysis, diagrams, terminal),
-        }
+        files::make_folder(folder, terminal)?;
+        diagrams.iter().try_for_each(|id| {
+            let path = Path::new(folder).join(format!("{}.pml", name(id)));
+            files::write(&path.to_string_lossy(), self.promela(analysis, &[*id], terminal)?.as_bytes(), terminal)
+        })
     }
 
     fn promela(&self, analysis: &Analysis, diagrams: &[Id<Diagram>], terminal: &Terminal) -> Result<String, u8> {
         let program = &analysis.program;
-        let fewer = (self.up_to > 0).then_some("let fewer sensors fail together, with `--faults`");
+        let up_to = self.up_to.unwrap_or(0);
+        let fewer = (up_to > 0).then_some("let fewer sensors fail together, with `--faults`");
         let machine = |id: &Id<Diagram>| {
-            modes::machine(program, *id, self.up_to).map_err(|mode| {
+            modes::machine(program, *id, up_to).map_err(|mode| {
                 let diagram = &program.diagrams[*id];
                 let (mode, diagram) = (&diagram.modes[mode].symbol.name, &diagram.symbol.name);
                 terminal.fail(&format!("mode `{mode}` of `{diagram}` has more cases than are looked into"), fewer)
@@ -105,5 +155,24 @@ impl Build {
         view::promela(program, &analysis.sources, &machines).ok_or_else(|| {
             terminal.fail("Promela has no names for more than 255 modes, or ways in which sensors fail", fewer)
         })
+    }
+}
+
+/// What keeps a file from being compiled, and what to do about it; `None` where findings say it.
+pub(super) fn explain(reason: &NotCompiled, file: &str) -> Option<(String, String)> {
+    match reason {
+        NotCompiled::Errors => None,
+        NotCompiled::Nothing => Some((
+            format!("`{file}` declares no behavior and no network, and no scenario that runs one"),
+            "name the file that declares it".to_owned(),
+        )),
+        NotCompiled::Ambiguous(behavior, robots) => Some((
+            format!("`{behavior}` is written on an interface that {} robots provide", robots.len()),
+            format!("name the robot to compile it for: {}", robots.join(", ")),
+        )),
+        NotCompiled::NotWrittenFor(behavior) => Some((
+            format!("`{behavior}` is not written for a robot of that name"),
+            "name one that provides its interface".to_owned(),
+        )),
     }
 }

@@ -1,6 +1,6 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
-//! Imports: analysis, base, diag, driver, interp, ir, plan, report, sim, view
+//! Imports: analysis, base, diag, driver, emit, interp, ir, plan, report, sim, view
 //! Crates: clap, rayon, serde, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
@@ -80,6 +80,8 @@ enum When {
 enum Command {
     /// Report everything that is wrong or doubtful in files
     Check(check::Check),
+    /// Compile behaviors and networks to code, or to what other tools read
+    Build(build::Build),
     /// Run a scenario in the simulator and print its timeline of modes
     Run(run::Run),
     /// Run every scenario and report each expectation
@@ -88,8 +90,6 @@ enum Command {
     Eval(eval::Eval),
     /// Show what is left of every event under each set of failed sensors
     Faults(faults::Faults),
-    /// Make something of behaviors that other tools read
-    Build(build::Build),
     /// Explain a diagnostic, by its code or its name
     Explain(explain::Explain),
 }

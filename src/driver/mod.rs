@@ -1,11 +1,13 @@
 //! The pipeline on one screen: files in, findings and a checked program out.
 //!
-//! Imports: analysis, base, diag, ir, plan, sema, sim, syntax, verify
+//! Imports: analysis, base, diag, emit, ir, plan, sema, sim, syntax, verify
 //! Crates: –
 
+mod compile;
 mod library;
 mod load;
 
+pub use compile::NotCompiled;
 pub use library::LIBRARY;
 pub use load::{FileError, Files};
 

@@ -3,8 +3,11 @@
 use std::ops::Range;
 
 use super::builder::{Builder, EventSlots, Names, reachable};
-use super::{Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Plan, Real, Transition, input};
-use crate::base::{Id, Sources, Span};
+use super::{
+    Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Origin, Plan, Real, Sense, Transition,
+    input, origin,
+};
+use crate::base::Id;
 use crate::ir;
 
 /// The plan of a scenario: its diagram on its robot, watching the conditions of its expectations in order.
@@ -26,41 +29,47 @@ pub fn build_scenario(checked: Checked<'_>, scenario: &ir::Scenario) -> Plan {
 /// The plan of a diagram on what it is written on, watching some conditions: a robot, or one that has what the interface
 /// promises and nothing else. Linear in their size.
 pub fn build_alone(checked: Checked<'_>, diagram: Id<ir::Diagram>, watched: &[Id<ir::Expr>]) -> Plan {
-    let diagram = &checked.program.diagrams[diagram];
-    match diagram.platform {
-        ir::Platform::Robot(robot) => on_robot(checked, diagram, &checked.program.robots[robot], watched),
-        ir::Platform::Interface(interface) => {
-            let ir::Interface { symbol, sensors, actions } = checked.program.interfaces[interface].clone();
-            let robot = ir::Robot { symbol, provides: vec![interface], body: None, sensors, actions };
-            on_robot(checked, diagram, &robot, watched)
-        }
-    }
+    build_on(checked, diagram, checked.program.diagrams[diagram].platform, watched)
 }
 
 /// The plan of a diagram on a robot that it is written for, watching some conditions. Linear in their size.
 pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot>, watched: &[Id<ir::Expr>]) -> Plan {
-    on_robot(checked, &checked.program.diagrams[diagram], &checked.program.robots[robot], watched)
+    build_on(checked, diagram, ir::Platform::Robot(robot), watched)
 }
 
-fn on_robot(checked: Checked<'_>, diagram: &ir::Diagram, robot: &ir::Robot, watched: &[Id<ir::Expr>]) -> Plan {
+/// The same on a robot, or on the interface it is written on: then the sensors are as the interface promises them.
+pub fn build_on(
+    checked: Checked<'_>,
+    diagram: Id<ir::Diagram>,
+    platform: ir::Platform,
+    watched: &[Id<ir::Expr>],
+) -> Plan {
     let program = checked.program;
-    let platform = Platform { program, robot };
+    let diagram = &program.diagrams[diagram];
+    let platform = Platform::new(program, platform);
     let input_of = |sensor| platform.input(sensor);
     let mut builder = Builder::new(program);
 
-    let (mut events, mut strengths) = (Vec::new(), Vec::new());
+    let (mut senses, mut events, mut strengths) = (Vec::new(), Vec::new(), Vec::new());
     let mut event_flags: Vec<Vec<Bool>> = Vec::new();
     for sense in &diagram.senses {
         let readings: Vec<Real> = sense.inputs.iter().map(|&sensor| builder.read(platform.input(sensor))).collect();
         let slots = builder.events(sense.network, &readings);
         event_flags.push(slots.iter().map(|slots| slots.flag).collect());
         let declared = &program.networks[sense.network].events;
+        let first = events.len() as u32;
         for (event, slots) in declared.iter().zip(slots) {
             let EventSlots { contributor, detractor, flag, strengths: of_rules } = slots;
             let name = format!("{}.{}", sense.symbol.name, event.symbol.name);
-            events.push(Event { name, contributor, detractor, flag });
+            events.push(Event { name, origin: origin(&event.symbol), contributor, detractor, flag });
             strengths.push(of_rules);
         }
+        senses.push(Sense {
+            name: sense.symbol.name.clone(),
+            network: sense.network.index() as u32,
+            readings,
+            events: first..events.len() as u32,
+        });
     }
     let mut flags: Vec<Bool> = Vec::new();
     for flag in diagram.flags.values() {
@@ -69,16 +78,21 @@ fn on_robot(checked: Checked<'_>, diagram: &ir::Diagram, robot: &ir::Robot, watc
     }
     let names = Names { input: &input_of, events: &event_flags, flags: &flags };
     // What remembers must run on every tick, whichever mode is active.
-    for transition in diagram.modes.values().flat_map(|mode| &mode.transitions) {
-        for id in reachable(program, transition.condition) {
-            if remembers(&program.exprs[id].op) {
-                builder.expr(id, &names);
+    let of_flags = diagram.flags.values().map(|flag| flag.condition);
+    let of_modes = diagram.modes.values().flat_map(|mode| &mode.transitions).map(|transition| transition.condition);
+    let mut remembered: Vec<(Bool, String)> = Vec::new();
+    for id in of_flags.chain(of_modes).flat_map(|condition| reachable(program, condition)) {
+        if let Some(operand) = remembers(&program.exprs[id].op) {
+            builder.expr(id, &names);
+            let operand = (builder.expr(operand, &names), checked.on_one_line(program.exprs[operand].span));
+            if remembered.iter().all(|(known, _)| *known != operand.0) {
+                remembered.push(operand);
             }
         }
     }
     let fuse = 0..builder.position();
 
-    let mut parts = Parts::new(platform, checked.sources, diagram);
+    let mut parts = Parts::new(platform, checked, diagram);
     let modes = diagram.modes.iter().map(|(id, mode)| parts.mode(id, mode, &mut builder, &names)).collect();
 
     builder.begin_watch();
@@ -88,20 +102,23 @@ fn on_robot(checked: Checked<'_>, diagram: &ir::Diagram, robot: &ir::Robot, watc
     let constants = builder.finish();
     Plan {
         name: diagram.symbol.name.clone(),
-        robot: robot.symbol.name.clone(),
+        origin: origin(&diagram.symbol),
+        robot: platform.name.to_owned(),
         inputs: platform.inputs(diagram),
-        actions: robot.actions.iter().map(|&action| lower_action(&program.actions[action])).collect(),
+        actions: platform.actions.iter().map(|&action| platform.lower_action(&program.actions[action])).collect(),
         code: builder.code,
         fuse,
         watch,
+        senses,
         events,
         strengths,
         flags: diagram
             .flags
             .values()
             .zip(&flags)
-            .map(|(flag, &value)| Flag { name: flag.symbol.name.clone(), value })
+            .map(|(flag, &value)| Flag { name: flag.symbol.name.clone(), origin: origin(&flag.symbol), value })
             .collect(),
+        remembered,
         watched,
         modes,
         transitions: parts.transitions,
@@ -114,42 +131,66 @@ fn on_robot(checked: Checked<'_>, diagram: &ir::Diagram, robot: &ir::Robot, watc
     }
 }
 
-/// Operations with a memory of their own.
-fn remembers(op: &ir::Op) -> bool {
-    matches!(op, ir::Op::Rising(_) | ir::Op::Falling(_) | ir::Op::Held(..) | ir::Op::Latched(_) | ir::Op::Count(_))
-}
-
-fn lower_action(action: &ir::Action) -> Action {
-    let parameters = action.parameters.iter();
-    Action {
-        name: action.symbol.name.clone(),
-        parameters: parameters.map(|parameter| (parameter.symbol.name.clone(), parameter.unit.clone())).collect(),
-        reports_done: action.reports_done,
+/// What an operation with a memory of its own looks back at.
+fn remembers(op: &ir::Op) -> Option<Id<ir::Expr>> {
+    match *op {
+        ir::Op::Rising(of) | ir::Op::Falling(of) | ir::Op::Held(of, _) | ir::Op::Latched(of) | ir::Op::Count(of) => {
+            Some(of)
+        }
+        _ => None,
     }
 }
 
-/// The robot a diagram runs on. What the diagram names on an interface is found on the robot by name; a checked robot
-/// has it.
+/// What a diagram runs on. What the diagram names on an interface is found on a robot by name; a checked robot has it.
 #[derive(Clone, Copy)]
 struct Platform<'a> {
     program: &'a ir::Program,
-    robot: &'a ir::Robot,
+    name: &'a str,
+    sensors: &'a [Id<ir::Sensor>],
+    actions: &'a [Id<ir::Action>],
+    /// The interfaces a robot keeps; their doc comments stand in for those that the robot does not repeat.
+    provides: &'a [Id<ir::Interface>],
 }
 
-impl Platform<'_> {
+impl<'a> Platform<'a> {
+    fn new(program: &'a ir::Program, platform: ir::Platform) -> Self {
+        match platform {
+            ir::Platform::Robot(robot) => {
+                let ir::Robot { symbol, provides, sensors, actions, .. } = &program.robots[robot];
+                Self { program, name: &symbol.name, sensors, actions, provides }
+            }
+            ir::Platform::Interface(interface) => {
+                let ir::Interface { symbol, sensors, actions } = &program.interfaces[interface];
+                Self { program, name: &symbol.name, sensors, actions, provides: &[] }
+            }
+        }
+    }
+
     fn input(&self, sensor: Id<ir::Sensor>) -> u32 {
         let name = &self.program.sensors[sensor].symbol.name;
         let place = |&own: &Id<ir::Sensor>| own == sensor || self.program.sensors[own].symbol.name == *name;
-        self.robot.sensors.iter().position(place).unwrap_or_default() as u32
+        self.sensors.iter().position(place).unwrap_or_default() as u32
     }
 
     fn action(&self, action: Id<ir::Action>) -> u32 {
         let name = &self.program.actions[action].symbol.name;
         let place = |&own: &Id<ir::Action>| own == action || self.program.actions[own].symbol.name == *name;
-        self.robot.actions.iter().position(place).unwrap_or_default() as u32
+        self.actions.iter().position(place).unwrap_or_default() as u32
     }
 
-    /// The robot's sensors; one that does not say how it fails takes the word of a variable it feeds.
+    fn lower_action(&self, action: &ir::Action) -> Action {
+        let promised = self.provides.iter().flat_map(|&interface| &self.program.interfaces[interface].actions);
+        let promised = promised.map(|&action| &self.program.actions[action].symbol);
+        let parameters = action.parameters.iter();
+        Action {
+            name: action.symbol.name.clone(),
+            origin: documented(&action.symbol, promised),
+            parameters: parameters.map(|parameter| (parameter.symbol.name.clone(), parameter.unit.clone())).collect(),
+            reports_done: action.reports_done,
+        }
+    }
+
+    /// The sensors; one that does not say how it fails takes the word of a variable it feeds.
     fn inputs(&self, diagram: &ir::Diagram) -> Vec<Input> {
         let feeds = |sensor: Id<ir::Sensor>| -> Vec<&[ir::FailReading]> {
             let fed = diagram.senses.iter().flat_map(|sense| {
@@ -158,20 +199,34 @@ impl Platform<'_> {
             });
             fed.map(|variable| self.program.variables[variable].fails.as_slice()).collect()
         };
-        let sensors = self.robot.sensors.iter().map(|&id| (id, &self.program.sensors[id]));
+        let promised = self.provides.iter().flat_map(|&interface| &self.program.interfaces[interface].sensors);
+        let promised = promised.map(|&sensor| &self.program.sensors[sensor].symbol);
+        let sensors = self.sensors.iter().map(|&id| (id, &self.program.sensors[id]));
         sensors
             .map(|(id, sensor)| {
                 let fails = [vec![sensor.fails.as_slice()], feeds(id)].concat();
-                input(&sensor.symbol, &sensor.unit, sensor.range, &fails)
+                let input = input(&sensor.symbol, &sensor.unit, sensor.range, &fails);
+                Input { origin: documented(&sensor.symbol, promised.clone()), ..input }
             })
             .collect()
     }
 }
 
+/// Where something stands, with the doc comment of what promised it where it has none of its own.
+fn documented<'a>(symbol: &ir::Symbol, mut promised: impl Iterator<Item = &'a ir::Symbol>) -> Origin {
+    let mut origin = origin(symbol);
+    if origin.doc.is_empty()
+        && let Some(promised) = promised.find(|promised| promised.name == symbol.name)
+    {
+        origin.doc.clone_from(&promised.doc);
+    }
+    origin
+}
+
 /// The lists of a plan that its modes share.
 struct Parts<'a> {
     platform: Platform<'a>,
-    sources: &'a Sources,
+    checked: Checked<'a>,
     diagram: &'a ir::Diagram,
     transitions: Vec<Transition>,
     calls: Vec<Call>,
@@ -181,10 +236,10 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    fn new(platform: Platform<'a>, sources: &'a Sources, diagram: &'a ir::Diagram) -> Self {
+    fn new(platform: Platform<'a>, checked: Checked<'a>, diagram: &'a ir::Diagram) -> Self {
         Self {
             platform,
-            sources,
+            checked,
             diagram,
             transitions: Vec::new(),
             calls: Vec::new(),
@@ -209,6 +264,7 @@ impl<'a> Parts<'a> {
         }
         Mode {
             name: mode.symbol.name.clone(),
+            origin: origin(&mode.symbol),
             transitions: transitions..self.transitions.len() as u32,
             actions,
             on_enter,
@@ -256,14 +312,9 @@ impl<'a> Parts<'a> {
             condition,
             target: transition.target.unwrap_or(from).index() as u32,
             span: transition.span,
-            text: self.text(self.platform.program.exprs[transition.condition].span),
+            text: self.checked.on_one_line(self.platform.program.exprs[transition.condition].span),
             evidence: self.evidence(transition.condition),
         }
-    }
-
-    /// Source text on one line.
-    fn text(&self, span: Span) -> String {
-        self.sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
     /// The numbers a condition looks at, through named flags and events, each once.

@@ -8,11 +8,11 @@ mod diagram;
 mod network;
 mod types;
 
-pub use diagram::{build, build_alone, build_scenario};
+pub use diagram::{build, build_alone, build_on, build_scenario};
 pub use network::build_network;
 pub use types::*;
 
-use crate::base::{Sources, Unit};
+use crate::base::{Sources, Span, Unit};
 use crate::diag::{Diagnostic, Severity};
 use crate::ir;
 
@@ -34,6 +34,11 @@ impl<'a> Checked<'a> {
     pub fn program(&self) -> &'a ir::Program {
         self.program
     }
+
+    /// Source text on one line.
+    fn on_one_line(&self, span: Span) -> String {
+        self.sources.slice(span).split_whitespace().collect::<Vec<_>>().join(" ")
+    }
 }
 
 /// How a sensor or an input is read. Without a fail reading of its own it takes the one of `others`, then 0, or the end
@@ -50,5 +55,9 @@ fn input(
         ir::FailReading::Any | ir::FailReading::Absent => None,
     });
     let fail = declared.unwrap_or_else(|| 0.0_f64.clamp(low, high));
-    Input { name: symbol.name.clone(), unit: unit.clone(), low, high, fail }
+    Input { name: symbol.name.clone(), origin: origin(symbol), unit: unit.clone(), low, high, fail }
+}
+
+fn origin(symbol: &ir::Symbol) -> Origin {
+    Origin { span: symbol.span, doc: symbol.doc.clone() }
 }

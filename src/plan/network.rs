@@ -1,7 +1,7 @@
 //! The plan of a network on its own.
 
 use super::builder::Builder;
-use super::{Checked, Event, NetworkPlan, input};
+use super::{Checked, Event, NetworkPlan, input, origin};
 use crate::base::Id;
 use crate::ir;
 
@@ -26,19 +26,24 @@ pub fn build_network(checked: Checked<'_>, network: Id<ir::Network>) -> NetworkP
     let (mut events, mut strengths) = (Vec::new(), Vec::new());
     for (event, slots) in declared.events.iter().zip(slots) {
         let (contributor, detractor, flag) = (slots.contributor, slots.detractor, slots.flag);
-        events.push(Event { name: event.symbol.name.clone(), contributor, detractor, flag });
+        let (name, origin) = (event.symbol.name.clone(), origin(&event.symbol));
+        events.push(Event { name, origin, contributor, detractor, flag });
         strengths.push(slots.strengths);
     }
     let inputs = declared.inputs.iter().map(|declared| {
         let variable = &program.variables[declared.variable];
         input(&declared.symbol, &variable.unit, variable.range, &[&variable.fails])
     });
+    let spans = |rules: &[ir::Rule]| rules.iter().map(|rule| rule.span).collect();
     NetworkPlan {
+        position: network.index() as u32,
         name: declared.symbol.name.clone(),
+        origin: origin(&declared.symbol),
         inputs: inputs.collect(),
         code: builder.code,
         degrees,
         strengths,
+        rules: declared.events.iter().map(|event| (spans(&event.contributor), spans(&event.detractor))).collect(),
         events,
     }
 }

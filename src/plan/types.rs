@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::base::Span;
 pub use crate::ir::Comparison;
 
 /// A number of the plan's memory.
@@ -277,11 +278,22 @@ pub enum Shape {
     Cosine([f64; 2]),
 }
 
+/// Where something stands in the source, and what its doc comment says of it.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Origin {
+    /// Its name.
+    pub span: Span,
+    /// Lines joined by newlines; empty without a doc comment.
+    pub doc: String,
+}
+
 /// A sensor that is read, or an input of a network evaluated on its own. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
     /// Its name.
     pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
     /// How to show its numbers.
     pub unit: crate::base::Unit,
     /// The lower end of its range.
@@ -297,6 +309,8 @@ pub struct Input {
 pub struct Event {
     /// `network.event`, or the event's name alone for a network on its own.
     pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
     /// What speaks for it.
     pub contributor: Real,
     /// What speaks against it.
@@ -310,6 +324,8 @@ pub struct Event {
 pub struct Flag {
     /// Its name.
     pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
     /// Its value.
     pub value: Bool,
 }
@@ -319,6 +335,8 @@ pub struct Flag {
 pub struct Plan {
     /// The diagram's name.
     pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
     /// The robot's name.
     pub robot: String,
     /// The robot's sensors, in its order.
@@ -331,12 +349,16 @@ pub struct Plan {
     pub fuse: Steps,
     /// Run on every tick after a transition was chosen: what scenarios watch.
     pub watch: Steps,
+    /// The networks it senses through.
+    pub senses: Vec<Sense>,
     /// The events of all networks, in order.
     pub events: Vec<Event>,
     /// The strength of every contributor rule and every detractor rule, for each event.
     pub strengths: Vec<(Vec<Real>, Vec<Real>)>,
     /// The named flags, in order.
     pub flags: Vec<Flag>,
+    /// What is looked back at by edges, holds, latches and counters, and its text; once for each.
+    pub remembered: Vec<(Bool, String)>,
     /// The watched conditions, in the order they were asked for.
     pub watched: Vec<Bool>,
     /// The modes, in the diagram's order.
@@ -357,11 +379,26 @@ pub struct Plan {
     pub entry: u32,
 }
 
+/// A network bound to inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sense {
+    /// The network's name, or the one it is sensed under.
+    pub name: String,
+    /// The network, as [`NetworkPlan::position`].
+    pub network: u32,
+    /// The readings that feed it.
+    pub readings: Vec<Real>,
+    /// Its events in [`Plan::events`].
+    pub events: Range<u32>,
+}
+
 /// An action of the robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Action {
     /// Its name.
     pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
     /// Its parameters, for display.
     pub parameters: Vec<(String, crate::base::Unit)>,
     /// Whether it reports completion.
@@ -373,6 +410,8 @@ pub struct Action {
 pub struct Mode {
     /// Its name.
     pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
     /// Its ways out in [`Plan::transitions`].
     pub transitions: Range<u32>,
     /// Its commands of every tick in [`Plan::calls`].
@@ -401,7 +440,7 @@ pub struct Transition {
     /// Where it leads.
     pub target: u32,
     /// Where it stands in the source.
-    pub span: crate::base::Span,
+    pub span: Span,
     /// Its condition as written.
     pub text: String,
     /// The numbers its condition looks at.
@@ -442,8 +481,12 @@ pub struct Draw {
 /// A network on its own, ready to evaluate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NetworkPlan {
+    /// Its position in the program.
+    pub position: u32,
     /// The network's name.
     pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
     /// Its inputs, in order.
     pub inputs: Vec<Input>,
     /// What is computed.
@@ -452,6 +495,8 @@ pub struct NetworkPlan {
     pub degrees: Vec<Vec<(String, Real)>>,
     /// The strength of every contributor rule and every detractor rule, for each event.
     pub strengths: Vec<(Vec<Real>, Vec<Real>)>,
+    /// Where each of these rules stands.
+    pub rules: Vec<(Vec<Span>, Vec<Span>)>,
     /// Its events, in order.
     pub events: Vec<Event>,
 }

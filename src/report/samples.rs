@@ -2,7 +2,7 @@
 
 use crate::base::{FileId, Sources, Span, Unit};
 use crate::diag::{Diagnostic, find_rule};
-use crate::plan::{Code, Event, Input, NetworkPlan, Shape, Step};
+use crate::plan::{Code, Event, Input, NetworkPlan, Origin, Shape, Step};
 use crate::report::Verdict;
 use crate::trace::{Column, Evidence, ModeChange, Signal, Trace};
 
@@ -120,6 +120,7 @@ pub fn verdicts() -> Vec<Verdict<'static>> {
 pub fn network() -> NetworkPlan {
     let input = |name: &str, unit: &str, low, high| Input {
         name: name.to_owned(),
+        origin: Origin::default(),
         unit: Unit { text: unit.to_owned(), ..Unit::one() },
         low,
         high,
@@ -141,12 +142,22 @@ pub fn network() -> NetworkPlan {
     ];
     let code = Code { steps, real_lists: vec![2, 4, 2, 5, 6, 7, 3, 4], reals: 10, bools: 1, ..Code::default() };
     let term = |name: &str, real| (name.to_owned(), real);
+    let origin = Origin::default;
     NetworkPlan {
+        position: 0,
         name: "obstacle_id".to_owned(),
+        origin: origin(),
         inputs: vec![input("left", "m/s^2", -4.0, 4.0), input("force", "N", 0.0, 300.0)],
         code,
         degrees: vec![vec![term("neg", 2), term("zero", 3)], vec![term("low", 4), term("high", 5)]],
         strengths: vec![(vec![6, 7], vec![9])],
-        events: vec![Event { name: "forward_collision".to_owned(), contributor: 8, detractor: 9, flag: 0 }],
+        rules: vec![(vec![Span::default(); 2], vec![Span::default()])],
+        events: vec![Event {
+            name: "forward_collision".to_owned(),
+            origin: origin(),
+            contributor: 8,
+            detractor: 9,
+            flag: 0,
+        }],
     }
 }

@@ -4,7 +4,7 @@
 use crate::base::{Dimension, Exact, Id, Span, Unit, find_unit};
 use crate::ir;
 use crate::ir::{BodyArgument, BodyCommandKind, SensorSource};
-use crate::plan::{self, Comparison, Evidence, Plan, Step};
+use crate::plan::{self, Comparison, Evidence, Origin, Plan, Step};
 
 /// J5's body (LMSL §3), with tracking noise.
 pub(super) const J5: ir::DifferentialDrive = ir::DifferentialDrive {
@@ -157,6 +157,7 @@ pub(super) fn plan() -> Plan {
         transitions.extend(ways.into_iter().map(way));
         plan::Mode {
             name: (*name).to_owned(),
+            origin: Origin::default(),
             transitions: first..transitions.len() as u32,
             actions: index..index + 1,
             on_enter: 0..0,
@@ -167,9 +168,17 @@ pub(super) fn plan() -> Plan {
         }
     });
     let modes = modes.collect();
-    let input = |name: &str, unit, low, high| plan::Input { name: name.to_owned(), unit, low, high, fail: 0.0 };
+    let input = |name: &str, unit, low, high| plan::Input {
+        name: name.to_owned(),
+        origin: Origin::default(),
+        unit,
+        low,
+        high,
+        fail: 0.0,
+    };
     Plan {
         name: "manipulation".to_owned(),
+        origin: Origin::default(),
         robot: "j5".to_owned(),
         inputs: vec![
             input("left_acceleration", acceleration(), -4.0, 4.0),
@@ -180,9 +189,17 @@ pub(super) fn plan() -> Plan {
         code: plan::Code { steps, reals: 9, bools: 4, ..plan::Code::default() },
         fuse,
         watch,
-        events: vec![plan::Event { name: "hit".to_owned(), contributor: 0, detractor: 1, flag: 0 }],
+        senses: Vec::new(),
+        events: vec![plan::Event {
+            name: "hit".to_owned(),
+            origin: Origin::default(),
+            contributor: 0,
+            detractor: 1,
+            flag: 0,
+        }],
         strengths: vec![(vec![0], vec![1])],
-        flags: vec![plan::Flag { name: "heavy".to_owned(), value: 1 }],
+        flags: vec![plan::Flag { name: "heavy".to_owned(), origin: Origin::default(), value: 1 }],
+        remembered: Vec::new(),
         watched: vec![3, 1],
         modes,
         transitions,

@@ -137,6 +137,7 @@ fn what_must_not_meet_does_not() {
         ("plan", "syntax"),
         ("plan", "sema"),
         ("interp", "ir"),
+        ("emit", "ir"),
         ("analysis", "syntax"),
         ("report", "syntax"),
         ("sim", "syntax"),

@@ -1,0 +1,74 @@
+//! From a checked program to code.
+
+use std::collections::BTreeSet;
+
+use super::Analysis;
+use crate::base::Id;
+use crate::emit::{self, Options};
+use crate::{ir, plan};
+
+/// Why a program without errors is not compiled.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NotCompiled {
+    /// Some finding is an error.
+    Errors,
+    /// The files declare no behavior and no network, and no scenario of theirs runs one.
+    Nothing,
+    /// A behavior is written on an interface that several robots provide: its name, and theirs.
+    Ambiguous(String, Vec<String>),
+    /// No robot of that name provides what a behavior is written on: the behavior's name.
+    NotWrittenFor(String),
+}
+
+impl Analysis {
+    /// Rust for the behaviors and networks that the roots declare, for the behaviors that their scenarios run, and for
+    /// the networks that these sense through.
+    ///
+    /// # Errors
+    /// Where there is nothing to compile, or no single way to do it.
+    pub fn rust(&self, options: &Options) -> Result<String, NotCompiled> {
+        let checked = self.checked().ok_or(NotCompiled::Errors)?;
+        let program = &self.program;
+        let is_own = |symbol: &ir::Symbol| self.roots.contains(&symbol.span.file);
+        let run: BTreeSet<_> = program
+            .scenarios
+            .values()
+            .filter(|scenario| is_own(&scenario.symbol))
+            .map(|scenario| scenario.diagram)
+            .collect();
+        let chosen = program.diagrams.iter().filter(|(id, diagram)| is_own(&diagram.symbol) || run.contains(id));
+        let diagrams = chosen
+            .map(|(id, diagram)| Ok(plan::build_on(checked, id, self.platform(diagram, options)?, &[])))
+            .collect::<Result<Vec<_>, _>>()?;
+        let sensed: BTreeSet<u32> =
+            diagrams.iter().flat_map(|diagram| &diagram.senses).map(|sense| sense.network).collect();
+        let networks: Vec<_> = program
+            .networks
+            .iter()
+            .filter(|(id, network)| is_own(&network.symbol) || sensed.contains(&(id.index() as u32)))
+            .map(|(id, _)| plan::build_network(checked, id))
+            .collect();
+        if diagrams.is_empty() && networks.is_empty() {
+            return Err(NotCompiled::Nothing);
+        }
+        let program =
+            emit::Program { roots: &self.roots, sources: &self.sources, networks: &networks, diagrams: &diagrams };
+        Ok(emit::rust(&program, options))
+    }
+
+    fn platform(&self, diagram: &ir::Diagram, options: &Options) -> Result<ir::Platform, NotCompiled> {
+        let (robots, robot) = (&self.program.robots, options.robot.as_ref());
+        let named = |id: &Id<ir::Robot>| robot.is_none_or(|name| robots[*id].symbol.name == *name);
+        let ir::Platform::Interface(interface) = diagram.platform else { return Ok(diagram.platform) };
+        let fits: Vec<_> = robots.ids().filter(|id| robots[*id].provides.contains(&interface)).filter(named).collect();
+        match (fits.as_slice(), robot) {
+            ([], None) => Ok(diagram.platform),
+            ([], Some(_)) => Err(NotCompiled::NotWrittenFor(diagram.symbol.name.clone())),
+            (&[only], _) => Ok(ir::Platform::Robot(only)),
+            (several, _) => {
+                let names = several.iter().map(|&id| robots[id].symbol.name.clone()).collect();
+                Err(NotCompiled::Ambiguous(diagram.symbol.name.clone(), names))
+            }
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! Statements that compute the steps of a tick.
+
+use std::collections::{BTreeSet, HashMap};
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::expression::{self, Expression};
+use super::graph::Node;
+use super::modes::ModeParts;
+use super::wiring::Wiring;
+use super::{Emission, layout};
+use crate::plan::Step;
+
+/// Statements of a tick, and what they have computed.
+pub(super) struct Block<'w> {
+    pub(super) emission: Emission<'w>,
+    pub(super) wiring: &'w Wiring<'w>,
+    /// The mode they run in; `None` for those that run in all.
+    pub(super) mode: Option<&'w ModeParts>,
+    pub(super) bound: BTreeSet<Node>,
+    pub(super) statements: TokenStream,
+}
+
+impl<'w> Block<'w> {
+    pub(super) fn new(emission: Emission<'w>, wiring: &'w Wiring<'w>, mode: Option<&'w ModeParts>) -> Self {
+        Self { emission, wiring, mode, bound: BTreeSet::new(), statements: TokenStream::new() }
+    }
+
+    /// Everything that is computed on every tick, in order.
+    pub(super) fn remember(&mut self) {
+        if self.wiring.keeps_time {
+            self.statements.extend(quote! {
+                if self.state.is_some() {
+                    self.elapsed = self.elapsed.saturating_add(dt_ns);
+                }
+            });
+        }
+        for &node in &self.wiring.always {
+            self.bind([node]);
+            if self.wiring.kept.contains_key(&node) {
+                self.keep(node);
+            }
+            if let Some(before) = self.wiring.before.get(&node) {
+                let now = self.value(node).tokens();
+                self.statements.extend(quote! { let #before = core::mem::replace(&mut self.#before, #now); });
+            }
+        }
+    }
+
+    /// Statements for what some steps need and what has a name of its own.
+    pub(super) fn bind(&mut self, roots: impl IntoIterator<Item = Node>) {
+        let wiring = self.wiring;
+        for node in wiring.graph.needed(roots, &self.bound) {
+            if self.bound.contains(&node) {
+                continue;
+            }
+            if let Some((sense, _)) = wiring.events.get(&node) {
+                self.sense(*sense);
+            } else if let Some(name) = wiring.names.get(&node)
+                && !self.kept_here(node)
+            {
+                let value = self.expression(node).tokens();
+                self.statements.extend(quote! { let #name = #value; });
+                self.bound.insert(node);
+            }
+        }
+    }
+
+    /// The events of a network.
+    fn sense(&mut self, index: usize) {
+        let sense = &self.wiring.senses[index];
+        let (name, method) = (&sense.name, &sense.method);
+        let memory = sense.network.remembers().then(|| quote! { &mut self.#name, dt_ns });
+        self.statements.extend(quote! { let #name = inputs.#method(#memory); });
+        let events = self.wiring.events.iter().filter(|(_, (of, _))| *of == index);
+        self.bound.extend(events.map(|(node, _)| *node));
+    }
+
+    /// Whether a step is a stopwatch, a latch or a counter that is kept where these statements run.
+    fn kept_here(&self, node: Node) -> bool {
+        let kept = self.mode.map_or(&self.wiring.kept, |mode| &mode.kept);
+        kept.contains_key(&node)
+    }
+
+    /// Brings a stopwatch, a latch or a counter up to this tick.
+    pub(super) fn keep(&mut self, node: Node) {
+        let wiring = self.wiring;
+        self.bind(wiring.graph.operands(node));
+        let place = match self.mode {
+            None => wiring.kept.get(&node).map(|name| (quote! { self.#name }, name)),
+            Some(mode) => mode.kept.get(&node).map(|name| (quote! { *#name }, name)),
+        };
+        let (Some((place, name)), Some(&operand)) = (place, wiring.graph.operands(node).first()) else { return };
+        let of = self.value(operand);
+        self.statements.extend(match wiring.graph.code.steps[node] {
+            Step::Lasts { duration, .. } => {
+                let (of, duration) = (of.tokens(), layout::nanoseconds(duration));
+                quote! { let #name = kernel::Stopwatch::lasts(&mut #place, #of, dt_ns, #duration); }
+            }
+            Step::Latched { .. } => {
+                let of = of.tokens();
+                quote! { #place |= #of; }
+            }
+            _ => {
+                let edge = self.edge(operand, true).tokens();
+                let method = if self.mode.is_some() {
+                    quote! { #name }
+                } else {
+                    quote! { #place }
+                };
+                quote! { if #edge { #place = #method.saturating_add(1); } }
+            }
+        });
+        if let Some(flag) = wiring.names.get(&node) {
+            let value = self.kept_value(node).tokens();
+            self.statements.extend(quote! { let #flag = #value; });
+        }
+        self.bound.insert(node);
+    }
+
+    /// What has been kept.
+    fn kept_value(&self, node: Node) -> Expression {
+        let place = match (self.wiring.kept.get(&node), self.mode.and_then(|mode| mode.kept.get(&node))) {
+            (_, Some(name)) => quote! { *#name },
+            (Some(name), None) => match self.wiring.graph.code.steps[node] {
+                Step::Lasts { .. } => quote! { #name },
+                _ => quote! { self.#name },
+            },
+            (None, None) => TokenStream::new(),
+        };
+        match self.wiring.graph.code.steps[node] {
+            Step::Count { .. } => Expression::whole(self.emission.counted(&place)),
+            _ => Expression::whole(place),
+        }
+    }
+
+    /// Whether something has just set, or has just cleared.
+    fn edge(&self, of: Node, sets: bool) -> Expression {
+        let before = self.wiring.before.get(&of);
+        let (now, before) = (self.value(of), Expression::whole(quote! { #before }));
+        expression::all(&if sets { [now, expression::not(&before)] } else { [expression::not(&now), before] })
+    }
+
+    /// The value of a step that has been computed, or that is an expression of such.
+    pub(super) fn value(&self, node: Node) -> Expression {
+        let wiring = self.wiring;
+        if let Some((sense, event)) = wiring.events.get(&node) {
+            let sense = &wiring.senses[*sense].name;
+            return Expression::whole(quote! { #sense.#event });
+        }
+        match wiring.names.get(&node) {
+            Some(name) => Expression::whole(quote! { #name }),
+            None => self.expression(node),
+        }
+    }
+
+    /// A step as an expression of what is bound.
+    fn expression(&self, root: Node) -> Expression {
+        let graph = &self.wiring.graph;
+        let mut values: HashMap<Node, Expression> = HashMap::new();
+        for node in graph.needed([root], &self.bound) {
+            let operands: Vec<_> = graph
+                .operands(node)
+                .into_iter()
+                .map(|operand| values.get(&operand).cloned().unwrap_or_else(|| self.value(operand)))
+                .collect();
+            values.insert(node, self.operation(node, &operands));
+        }
+        values.remove(&root).unwrap_or_else(|| self.kept_value(root))
+    }
+
+    fn operation(&self, node: Node, operands: &[Expression]) -> Expression {
+        let (wiring, emission) = (self.wiring, self.emission);
+        let first = operands.first().map(Expression::tokens).unwrap_or_default();
+        let sensor = |input: u32| &wiring.sensors[input as usize];
+        Expression::whole(match &wiring.graph.code.steps[node] {
+            Step::Read { input, .. } => {
+                let name = sensor(*input);
+                quote! { inputs.#name() }
+            }
+            Step::Constant { value, .. } => emission.number(*value),
+            Step::Degree { shape, .. } => emission.degree(&first, shape, &wiring.graph),
+            Step::Complement { .. } => quote! { (1.0 - #first) },
+            Step::Very { .. } => quote! { kernel::very(#first) },
+            Step::Somewhat { .. } => quote! { kernel::somewhat(#first) },
+            Step::Failed { input, .. } => {
+                let name = sensor(*input);
+                quote! { inputs.failed.#name }
+            }
+            Step::Done { .. } => quote! { inputs.done },
+            Step::Compare { comparison, .. } => match operands {
+                [left, right] => return expression::compare(*comparison, left, right),
+                _ => TokenStream::new(),
+            },
+            Step::Not { .. } => return operands.first().map_or_else(|| Expression::whole(first), expression::not),
+            Step::All { .. } => return expression::all(operands),
+            Step::Any { .. } => return expression::any(operands),
+            Step::After { duration: 0, .. } => quote! { true },
+            Step::After { duration, .. } => {
+                let (place, duration) = (self.elapsed(), layout::nanoseconds(*duration));
+                return Expression::comparison(quote! { #place >= #duration });
+            }
+            Step::InMode { mode, .. } => {
+                let variant = &wiring.modes[*mode as usize].variant;
+                let first = (*mode == wiring.plan.entry).then(|| quote! { None | });
+                quote! { matches!(self.state, #first Some(State::#variant { .. })) }
+            }
+            Step::Rising { of, .. } | Step::Falling { of, .. } => {
+                let sets = matches!(wiring.graph.code.steps[node], Step::Rising { .. });
+                let of = wiring.graph.bool(*of);
+                return of.map_or_else(|| Expression::whole(first), |of| self.edge(of, sets));
+            }
+            // What a network computes stands in its module, and what is kept has been bound.
+            Step::Minimum { .. }
+            | Step::Maximum { .. }
+            | Step::Outweighs { .. }
+            | Step::OutweighsWithHysteresis { .. }
+            | Step::Hold { .. }
+            | Step::Lasts { .. }
+            | Step::Latched { .. }
+            | Step::Count { .. } => return self.kept_value(node),
+        })
+    }
+
+    fn elapsed(&self) -> TokenStream {
+        if self.wiring.keeps_time {
+            quote! { self.elapsed }
+        } else {
+            quote! { *elapsed }
+        }
+    }
+}

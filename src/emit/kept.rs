@@ -1,0 +1,115 @@
+//! What a diagram remembers from one tick to the next, as fields.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Emission;
+use super::graph::Node;
+use super::modes::ModeParts;
+use super::names::plain;
+use super::wiring::Wiring;
+use crate::plan::Step;
+
+/// A field of the machine or of one of its states.
+pub(super) struct Field {
+    pub(super) doc: String,
+    pub(super) name: Ident,
+    pub(super) kind: TokenStream,
+    /// Its first value; without one, the value that has its name.
+    pub(super) initial: Option<TokenStream>,
+}
+
+/// Whether a timer that is asked for no longer time can be 32 bits wide.
+pub(super) fn is_narrow(longest: u64) -> bool {
+    u32::try_from(longest).is_ok()
+}
+
+impl Wiring<'_> {
+    fn text(&self, of: Node) -> &str {
+        self.texts.get(&of).copied().unwrap_or_default()
+    }
+
+    /// What the machine itself keeps, beside the active mode and the random numbers.
+    pub(super) fn fields(&self) -> Vec<Field> {
+        let remembered =
+            self.events.iter().filter(|(node, _)| self.always.contains(node)).map(|(_, (sense, _))| *sense);
+        let remembered: BTreeSet<usize> = remembered.collect();
+        let senses = remembered.into_iter().filter_map(|sense| self.senses.get(sense));
+        let memories = senses.filter(|sense| sense.network.remembers()).map(|sense| {
+            let network = &sense.network.module;
+            Field {
+                doc: format!("What the events of `{}` remember.", plain(&sense.name)),
+                name: sense.name.clone(),
+                kind: quote! { super::#network::Memory },
+                initial: Some(quote! { super::#network::Memory::new() }),
+            }
+        });
+        let before = self.before.iter().map(|(of, name)| Field {
+            doc: format!("Whether `{}` held on the tick before.", self.text(*of)),
+            name: name.clone(),
+            kind: quote! { bool },
+            initial: Some(quote! { false }),
+        });
+        let kept = self.kept.iter().map(|(node, name)| self.field(*node, name));
+        let mut fields: Vec<_> = memories.chain(before).chain(kept).collect();
+        if self.keeps_time {
+            fields.push(elapsed(u64::MAX));
+        }
+        fields
+    }
+
+    /// What starts anew with every mode, of what the machine itself keeps.
+    pub(super) fn restarts(&self) -> TokenStream {
+        let kept = self.kept.iter().filter_map(|(node, name)| match self.graph.code.steps[*node] {
+            Step::Latched { .. } => Some(quote! { self.#name = false; }),
+            Step::Count { .. } => Some(quote! { self.#name = 0; }),
+            _ => None,
+        });
+        let elapsed = self.keeps_time.then(|| quote! { self.elapsed = 0; });
+        quote! { #(#kept)* #elapsed }
+    }
+
+    /// A stopwatch, a latch or a counter.
+    fn field(&self, node: Node, name: &Ident) -> Field {
+        let text = self.graph.operands(node).first().map_or("", |&of| self.text(of));
+        let (doc, kind, initial) = match self.graph.code.steps[node] {
+            Step::Latched { .. } => {
+                (format!("Whether `{text}` has held since the mode was entered."), quote! { bool }, quote! { false })
+            }
+            Step::Count { .. } => {
+                (format!("How often `{text}` has set since the mode was entered."), quote! { u32 }, quote! { 0 })
+            }
+            _ => (
+                format!("How long `{text}` has held."),
+                quote! { kernel::Stopwatch },
+                quote! { kernel::Stopwatch { running: false, elapsed: 0 } },
+            ),
+        };
+        Field { doc, name: name.clone(), kind, initial: Some(initial) }
+    }
+
+    /// What a mode keeps while it is active; drawn numbers begin as what they are.
+    pub(super) fn fields_of(&self, mode: &ModeParts, emission: Emission<'_>) -> Vec<Field> {
+        let float = emission.float();
+        let kept = mode.kept.iter().map(|(node, name)| self.field(*node, name));
+        let drawn = mode.drawn.iter().filter(|(real, _)| mode.drawn_for_later.contains(real)).map(|(_, name)| Field {
+            doc: "Drawn when the mode was entered.".to_owned(),
+            name: name.clone(),
+            kind: quote! { #float },
+            initial: None,
+        });
+        mode.timer.map(elapsed).into_iter().chain(kept).chain(drawn).collect()
+    }
+}
+
+fn elapsed(longest: u64) -> Field {
+    let kind = format_ident!("{}", if is_narrow(longest) { "u32" } else { "u64" });
+    Field {
+        doc: "Nanoseconds since the mode was entered, as far as they are counted.".to_owned(),
+        name: format_ident!("elapsed"),
+        kind: quote! { #kind },
+        initial: Some(quote! { 0 }),
+    }
+}

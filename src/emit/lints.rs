@@ -1,0 +1,70 @@
+//! The lints that emitted code does not keep, each with its reason.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Lints that are on by default or pedantic and that some emitted module leaves out, by their reason. All others are
+/// kept, the compiler's and clippy's.
+pub const LINTS: [(&str, &[&str]); 5] = [
+    (
+        "numbers are exact to the last bit",
+        &["clippy::approx_constant", "clippy::cast_precision_loss", "clippy::float_cmp", "clippy::unreadable_literal"],
+    ),
+    (
+        "names and documentation are the user's",
+        &[
+            "clippy::doc_lazy_continuation",
+            "clippy::doc_markdown",
+            "clippy::doc_overindented_list_items",
+            "clippy::enum_variant_names",
+            "clippy::many_single_char_names",
+            "clippy::missing_errors_doc",
+            "clippy::module_inception",
+            "clippy::similar_names",
+            "clippy::struct_field_names",
+        ],
+    ),
+    ("a robot need not use everything", &["dead_code"]),
+    (
+        "sizes are the user's",
+        &[
+            "clippy::fn_params_excessive_bools",
+            "clippy::large_enum_variant",
+            "clippy::struct_excessive_bools",
+            "clippy::too_many_arguments",
+            "clippy::too_many_lines",
+            "clippy::trivially_copy_pass_by_ref",
+        ],
+    ),
+    (
+        "conditions are the user's",
+        &[
+            "clippy::eq_op",
+            "clippy::if_same_then_else",
+            "clippy::match_same_arms",
+            "clippy::neg_cmp_op_on_partial_ord",
+            "clippy::nonminimal_bool",
+            "clippy::overly_complex_bool_expr",
+        ],
+    ),
+];
+
+pub(super) fn of_kernel() -> TokenStream {
+    allowed(&LINTS[..2])
+}
+
+pub(super) fn of_network() -> TokenStream {
+    allowed(&LINTS[..4])
+}
+
+pub(super) fn of_diagram() -> TokenStream {
+    allowed(&LINTS)
+}
+
+fn allowed(groups: &[(&str, &[&str])]) -> TokenStream {
+    let groups = groups.iter().map(|(reason, names)| {
+        let names = names.iter().filter_map(|name| name.parse::<TokenStream>().ok());
+        quote! { #[allow(#(#names,)* reason = #reason)] }
+    });
+    quote! { #(#groups)* }
+}

@@ -1,0 +1,268 @@
+//! The module of a diagram: its types. What a tick does stands in `step.rs`.
+
+use std::collections::{BTreeSet, HashMap};
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::network::{self, Network};
+use super::wiring::Wiring;
+use super::{Emission, kernel_text, layout, lints, step};
+use crate::plan::{Action, Plan};
+
+/// The module of a diagram.
+pub(super) fn module(
+    emission: Emission<'_>,
+    plan: &Plan,
+    name: &Ident,
+    networks: &HashMap<u32, &Network<'_>>,
+) -> TokenStream {
+    let wiring = Wiring::new(plan, networks);
+    let place = format!("Behavior `{}` on `{}`, {}.", plan.name, plan.robot, emission.places.place(plan.origin.span));
+    let (doc, allowed, blank) = (layout::doc(&[&plan.origin.doc, &place]), lints::of_diagram(), layout::blank());
+    let (inputs, robot) = (inputs(emission, &wiring), robot(emission, &wiring));
+    let (state, machine) = (state(emission, &wiring), machine(emission, &wiring));
+    let kernel = kernel_text::import(&machine);
+    quote! {
+        #blank
+        #doc
+        #allowed
+        pub mod #name {
+            #kernel
+            #inputs
+            #robot
+            #state
+            #machine
+        }
+    }
+}
+
+fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let (float, blank) = (emission.float(), layout::blank());
+    let plain = emission.derives(&["Debug", "Clone", "Copy", "PartialEq"]);
+    let names = |used: &BTreeSet<u32>| -> Vec<(u32, Ident)> {
+        used.iter().map(|&input| (input, wiring.sensors[input as usize].clone())).collect()
+    };
+    let readings = names(&wiring.read).into_iter().map(|(input, name)| {
+        let input = &wiring.plan.inputs[input as usize];
+        let doc = layout::doc(&[&input.origin.doc, &network::about(input)]);
+        quote! { #doc pub #name: #float, }
+    });
+    let safe = names(&wiring.read).into_iter().map(|(input, name)| {
+        let input = &wiring.plan.inputs[input as usize];
+        let value = emission.sanitized(&quote! { self.#name }, &quote! { !self.failed.#name }, input);
+        quote! { #[inline] fn #name(&self) -> #float { #value } }
+    });
+    let weighed = wiring.senses.iter().filter_map(|sense| {
+        let (name, network) = (sense.method.as_ref()?, &sense.network.module);
+        let readings = sense.readings.iter().map(|&input| &wiring.sensors[input as usize]);
+        let (parameters, memory) = sense
+            .network
+            .remembers()
+            .then(|| (quote! { , memory: &mut super::#network::Memory, dt_ns: u64 }, quote! { memory, dt_ns }))
+            .unzip();
+        let events = quote! { super::#network::weigh(#(self.#readings()),*).events(#memory) };
+        Some(quote! { #[inline] fn #name(&self #parameters) -> super::#network::Events { #events } })
+    });
+    let methods: Vec<_> = safe.chain(weighed).collect();
+    let safe = (!methods.is_empty()).then(|| {
+        let methods = layout::apart(&methods);
+        quote! {
+            #blank
+            /// Readings made safe, and what networks say of them.
+            impl Inputs { #methods }
+        }
+    });
+    let health = names(&wiring.watched);
+    let failed = (!health.is_empty()).then(|| {
+        quote! {
+            /// Which sensors are known to have failed.
+            pub failed: Failed,
+        }
+    });
+    let done = wiring.uses_done.then(|| {
+        quote! {
+            /// Whether the action of the active mode had reported completion by the end of the tick before.
+            pub done: bool,
+        }
+    });
+    let failures = (!health.is_empty()).then(|| {
+        let derives = emission.derives(&["Debug", "Clone", "Copy", "PartialEq", "Eq", "Default"]);
+        let fields = health.iter().map(|(input, name)| {
+            let doc = layout::doc(&[&format!("Whether `{}` has.", wiring.plan.inputs[*input as usize].name)]);
+            quote! { #doc pub #name: bool }
+        });
+        quote! {
+            #blank
+            /// The sensors that are known to have failed; by default none.
+            #derives
+            pub struct Failed { #(#fields),* }
+        }
+    });
+    quote! {
+        #blank
+        /// What the machine is told on one tick. A reading that is not finite is taken as that of a failed sensor; one
+        /// outside its range as the nearer end.
+        #plain
+        pub struct Inputs { #(#readings)* #failed #done }
+        #safe
+        #failures
+    }
+}
+
+fn robot(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let (blank, float) = (layout::blank(), emission.float());
+    let methods = wiring.actions.iter().map(|(action, names)| {
+        let Action { name, origin, parameters, reports_done } = &wiring.plan.actions[*action as usize];
+        let units = parameters.iter().zip(&names.parameters).map(|((_, unit), name)| {
+            let unit = unit.dimension.si_unit();
+            if unit == "1" { format!("`{name}` is a plain number") } else { format!("`{name}` is in {unit}") }
+        });
+        let mut notes: Vec<_> = units.collect();
+        if *reports_done {
+            notes.push("`start` is true on the tick that gives the command, and false while it goes on".to_owned());
+        }
+        let notes = if notes.is_empty() { String::new() } else { notes.join("; ") + "." };
+        let place = format!("Action `{name}`, {}.", emission.places.place(origin.span));
+        let doc = layout::doc(&[&origin.doc, &notes, &place]);
+        let (name, parameters) = (&names.method, &names.parameters);
+        let start = reports_done.then(|| quote! { start: bool });
+        quote! { #doc fn #name(&mut self, #(#parameters: #float,)* #start) -> Result<(), Self::Error>; }
+    });
+    let doc = layout::doc(&[
+        &format!("What the behavior asks of `{}`. Numbers are in SI units.", wiring.plan.robot),
+        "Every command of a tick is given on that tick, also where one before it has failed.",
+    ]);
+    quote! {
+        #blank
+        #doc
+        pub trait Robot {
+            /// What can go wrong with an action; `core::convert::Infallible` where nothing can.
+            type Error;
+            #(#methods)*
+        }
+    }
+}
+
+fn state(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let blank = layout::blank();
+    let modes: Vec<_> = wiring.plan.modes.iter().zip(&wiring.modes).collect();
+    let documented = modes.iter().map(|(mode, parts)| {
+        let place = format!("Mode `{}`, {}.", mode.name, emission.places.place(mode.origin.span));
+        let (doc, variant) = (layout::doc(&[&mode.origin.doc, &place]), &parts.variant);
+        quote! { #doc #variant }
+    });
+    let variants: Vec<_> = modes.iter().map(|(_, parts)| &parts.variant).collect();
+    let names = modes.iter().map(|(mode, _)| &mode.name);
+    let states = modes.iter().map(|(mode, parts)| {
+        let fields = wiring.fields_of(parts, emission).into_iter().map(|field| {
+            let (doc, name, kind) = (layout::doc(&[&field.doc]), field.name, field.kind);
+            quote! { #doc #name: #kind }
+        });
+        let fields: Vec<_> = fields.collect();
+        let (doc, variant) = (layout::doc(&[&format!("In `{}`.", mode.name)]), &parts.variant);
+        if fields.is_empty() {
+            quote! { #doc #variant }
+        } else {
+            quote! { #doc #variant { #(#fields),* } }
+        }
+    });
+    let (mode, state) = (
+        emission.derives(&["Debug", "Clone", "Copy", "PartialEq", "Eq", "Hash"]),
+        emission.derives(&["Debug", "Clone", "Copy", "PartialEq"]),
+    );
+    quote! {
+        #blank
+        /// The modes.
+        #mode
+        pub enum Mode { #(#documented),* }
+        #blank
+        impl Mode {
+            /// The name in the source.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { #(Self::#variants => #names),* }
+            }
+        }
+        #blank
+        /// The active mode, and what it remembers since it was entered.
+        #state
+        pub enum State { #(#states),* }
+        #blank
+        impl State {
+            /// The mode alone.
+            #[must_use]
+            pub const fn mode(&self) -> Mode {
+                match self { #(Self::#variants { .. } => Mode::#variants),* }
+            }
+        }
+    }
+}
+
+fn machine(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let blank = layout::blank();
+    let fields = wiring.fields();
+    let declared = fields.iter().map(|field| {
+        let (doc, name, kind) = (layout::doc(&[&field.doc]), &field.name, &field.kind);
+        quote! { #doc pub #name: #kind }
+    });
+    let initial = fields.iter().map(|field| {
+        let (name, initial) = (&field.name, field.initial.iter());
+        quote! { #name #(: #initial)* }
+    });
+    let random = wiring.draws.then(|| {
+        quote! {
+            /// The state of the stream of random numbers.
+            pub random: u64,
+        }
+    });
+    let (seed, seeded) = (wiring.draws.then(|| quote! { seed: u64 }), wiring.draws.then(|| quote! { random: seed, }));
+    let before = "A machine before its first tick.";
+    let doc = layout::doc(&[&if wiring.draws {
+        format!("{before} Everything random follows from `seed`.")
+    } else {
+        before.to_owned()
+    }]);
+    let derives = emission.derives(&["Debug", "Clone", "Copy", "PartialEq"]);
+    let default = (!wiring.draws).then(|| {
+        quote! {
+            #blank
+            impl Default for Machine {
+                fn default() -> Self {
+                    Self::new()
+                }
+            }
+        }
+    });
+    let step = step::methods(emission, wiring);
+    quote! {
+        #blank
+        /// The behavior being run. It is plain data: a copy is a saved state, and assigning it restores it.
+        #derives
+        pub struct Machine {
+            /// The active mode and what it remembers; `None` before the first tick.
+            pub state: Option<State>,
+            #random
+            #(#declared),*
+        }
+        #default
+        #blank
+        impl Machine {
+            #doc
+            #[must_use]
+            pub const fn new(#seed) -> Self {
+                Self { state: None, #seeded #(#initial),* }
+            }
+            #blank
+            /// The active mode; `None` before the first tick.
+            #[must_use]
+            pub const fn mode(&self) -> Option<Mode> {
+                match &self.state {
+                    Some(state) => Some(state.mode()),
+                    None => None,
+                }
+            }
+            #step
+        }
+    }
+}

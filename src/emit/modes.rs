@@ -1,0 +1,81 @@
+//! What each mode of a diagram owns.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::Ident;
+
+use super::graph::{Node, part};
+use super::names::{Scope, plain};
+use super::wiring::Wiring;
+use crate::plan::{Mode, Real, Step};
+
+/// The names of a mode, and what it owns.
+pub(super) struct ModeParts {
+    pub(super) variant: Ident,
+    pub(super) enter: Ident,
+    /// The longest time that is waited for, where the mode keeps the time.
+    pub(super) timer: Option<u64>,
+    /// The latches and counters that are its own.
+    pub(super) kept: BTreeMap<Node, Ident>,
+    /// Every number it draws.
+    pub(super) drawn: BTreeMap<Real, Ident>,
+    /// Those that it needs after it was entered.
+    pub(super) drawn_for_later: BTreeSet<Real>,
+}
+
+/// The parts of all modes, whose names are apart from some local ones.
+pub(super) fn all(wiring: &Wiring<'_>, locals: &Scope) -> Vec<ModeParts> {
+    let mut modes = Modes { variants: Scope::new(&[]), enters: Scope::new(&[]), locals };
+    wiring.plan.modes.iter().map(|mode| modes.one(mode, wiring)).collect()
+}
+
+/// What modes are named apart by.
+struct Modes<'s> {
+    variants: Scope,
+    enters: Scope,
+    locals: &'s Scope,
+}
+
+impl Modes<'_> {
+    fn one(&mut self, mode: &Mode, wiring: &Wiring<'_>) -> ModeParts {
+        let plan = wiring.plan;
+        let mut locals = self.locals.clone();
+        let needed = wiring.conditions(&mode.transitions);
+        let (mut timer, mut kept) = (None, BTreeMap::new());
+        for &node in needed.iter().filter(|node| !wiring.always.contains(node) && !wiring.events.contains_key(node)) {
+            if let Step::After { duration, .. } = wiring.graph.code.steps[node]
+                && !wiring.keeps_time
+            {
+                timer = timer.max(Some(duration));
+            }
+            if let Some(name) = wiring.kept_name(node) {
+                kept.insert(node, locals.snake(&name));
+            }
+        }
+        let (mut drawn, mut drawn_for_later) = (BTreeMap::new(), BTreeSet::new());
+        let draws = part(&plan.draws, &mode.draws);
+        let is_left = !mode.transitions.is_empty() || mode.otherwise.is_some();
+        for calls in [&mode.on_enter, &mode.actions, &mode.on_exit] {
+            let later = calls == &mode.actions || calls == &mode.on_exit && is_left;
+            for call in part(&plan.calls, calls) {
+                let arguments = part(&plan.arguments, &call.arguments).iter();
+                for (&real, name) in arguments.zip(&wiring.actions[&call.action].parameters) {
+                    if draws.iter().any(|draw| draw.to == real) {
+                        drawn.insert(real, locals.snake(&plain(name)));
+                        if later {
+                            drawn_for_later.insert(real);
+                        }
+                    }
+                }
+            }
+        }
+        ModeParts {
+            variant: self.variants.camel(&mode.name),
+            enter: self.enters.snake(&format!("enter_{}", mode.name)),
+            timer,
+            kept,
+            drawn,
+            drawn_for_later,
+        }
+    }
+}

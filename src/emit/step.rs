@@ -1,0 +1,224 @@
+//! What a diagram does on a tick.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::block::Block;
+use super::expression::{self, Expression};
+use super::graph::part;
+use super::kept::is_narrow;
+use super::modes::ModeParts;
+use super::wiring::Wiring;
+use super::{Emission, layout};
+use crate::plan::{Mode, Real, Step, Transition};
+
+/// The methods that run a diagram: `step`, and one that enters each mode that something leads to.
+pub(super) fn methods(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let blank = layout::blank();
+    let mut always = Block::new(emission, wiring, None);
+    always.remember();
+    let entry = &wiring.modes[wiring.plan.entry as usize].enter;
+    let arms = wiring.plan.modes.iter().zip(&wiring.modes).map(|(mode, parts)| {
+        let (pattern, body) = (pattern(emission, wiring, parts), arm(&always, mode, parts));
+        quote! { Some(#pattern) => { #body } }
+    });
+    let arms: Vec<_> = arms.collect();
+    let always = always.statements;
+    let narrow = wiring.modes.iter().any(|mode| mode.timer.is_some_and(is_narrow));
+    let narrow = narrow.then(|| quote! { let dt = u32::try_from(dt_ns).unwrap_or(u32::MAX); });
+    let body = quote! {
+        #always
+        #narrow
+        match &mut self.state {
+            None => self.#entry(robot),
+            #(#arms)*
+        }
+    };
+    let used = layout::words(&body);
+    let [inputs, dt_ns] =
+        ["inputs", "dt_ns"].map(|name| format_ident!("{}{name}", if used.contains(name) { "" } else { "_" }));
+    let name = &wiring.plan.modes[wiring.plan.entry as usize].name;
+    let doc = layout::doc(&[
+        &format!("One tick, `dt_ns` nanoseconds after the one before; the first one enters `{name}`."),
+        "# Errors",
+        "The first error of an action. The machine has moved, and every other action of the tick has been called.",
+    ]);
+    let enters = enters(emission, wiring);
+    quote! {
+        #blank
+        #doc
+        pub fn step<R: Robot>(
+            &mut self,
+            #inputs: &Inputs,
+            #dt_ns: u64,
+            robot: &mut R,
+        ) -> Result<Mode, R::Error> {
+            #body
+        }
+        #enters
+    }
+}
+
+/// The state of a mode as a pattern.
+fn pattern(emission: Emission<'_>, wiring: &Wiring<'_>, parts: &ModeParts) -> TokenStream {
+    let variant = &parts.variant;
+    let fields: Vec<_> = wiring.fields_of(parts, emission).into_iter().map(|field| field.name).collect();
+    if fields.is_empty() {
+        quote! { State::#variant }
+    } else {
+        quote! { State::#variant { #(#fields),* } }
+    }
+}
+
+/// What is done in a mode: its exits by priority, then its commands.
+fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
+    let Block { emission, wiring, .. } = *always;
+    let mut block = Block { mode: Some(parts), bound: always.bound.clone(), ..Block::new(emission, wiring, None) };
+    let (plan, places) = (wiring.plan, emission.places);
+    if let Some(longest) = parts.timer {
+        let dt = format_ident!("{}", if is_narrow(longest) { "dt" } else { "dt_ns" });
+        block.statements.extend(quote! { *elapsed = elapsed.saturating_add(#dt); });
+    }
+    for &node in parts.kept.keys() {
+        block.keep(node);
+    }
+    let failed = |mode: &Mode| -> Vec<Expression> {
+        let names = part(&plan.required, &mode.required).iter().map(|&input| &wiring.sensors[input as usize]);
+        names.map(|name| Expression::whole(quote! { inputs.failed.#name })).collect()
+    };
+    let leave = |target: u32| {
+        let enter = &wiring.modes[target as usize].enter;
+        let calls = calls(emission, wiring, &mode.on_exit, Time::Leaving);
+        let calls: Vec<_> = calls.into_iter().chain([quote! { self.#enter(robot) }]).collect();
+        let calls = chain(&calls);
+        quote! { return #calls; }
+    };
+    let holds = |target: u32| failed(&plan.modes[target as usize]).iter().map(expression::not).collect::<Vec<_>>();
+    if let (Some(otherwise), false) = (mode.otherwise, mode.required.is_empty()) {
+        let missing = expression::any(&failed(mode));
+        let condition = expression::all(&[vec![missing], holds(otherwise)].concat()).tokens();
+        let remark = layout::comment(&format!("without what it requires: {}", plan.modes[otherwise as usize].name));
+        let leave = leave(otherwise);
+        block.statements.extend(quote! { #remark if #condition { #leave } });
+    }
+    for Transition { condition, target, span, .. } in part(&plan.transitions, &mode.transitions) {
+        let remark = layout::comment(&format!("{} ({})", places.text(*span), places.place(*span)));
+        let Some(condition) = wiring.graph.bool(*condition) else { continue };
+        block.statements.extend(remark);
+        block.bind([condition]);
+        let condition = expression::all(&[vec![block.value(condition)], holds(*target)].concat()).tokens();
+        let leave = leave(*target);
+        block.statements.extend(quote! { if #condition { #leave } });
+    }
+    let (statements, act) = (block.statements, act(parts, &calls(emission, wiring, &mode.actions, Time::Staying)));
+    quote! { #statements #act }
+}
+
+/// When commands are given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Time {
+    Entering,
+    Staying,
+    Leaving,
+}
+
+/// The calls of commands.
+fn calls(emission: Emission<'_>, wiring: &Wiring<'_>, calls: &Range<u32>, time: Time) -> Vec<TokenStream> {
+    let plan = wiring.plan;
+    let calls = part(&plan.calls, calls).iter().map(|call| {
+        let arguments = part(&plan.arguments, &call.arguments).iter();
+        let arguments = arguments.map(|&real| argument(emission, wiring, real, time));
+        let start = plan.actions[call.action as usize].reports_done.then(|| {
+            let starts = time != Time::Staying;
+            quote! { #starts }
+        });
+        let method = &wiring.actions[&call.action].method;
+        quote! { robot.#method(#(#arguments,)* #start) }
+    });
+    calls.collect()
+}
+
+/// A constant, or a number that was drawn.
+fn argument(emission: Emission<'_>, wiring: &Wiring<'_>, real: Real, time: Time) -> TokenStream {
+    if let Some(Step::Constant { value, .. }) = wiring.graph.real(real).map(|node| &wiring.graph.code.steps[node]) {
+        return emission.number(*value);
+    }
+    let name = wiring.modes.iter().find_map(|mode| mode.drawn.get(&real));
+    if time == Time::Entering {
+        quote! { #name }
+    } else {
+        quote! { *#name }
+    }
+}
+
+/// Calls one after the other, whatever they answer; the answer is the first error, or the last answer.
+fn chain(calls: &[TokenStream]) -> TokenStream {
+    let (first, rest) = calls.split_first().unzip();
+    let rest = rest.into_iter().flatten();
+    quote! { #first #(.and(#rest))* }
+}
+
+/// The end of a tick: commands, and the mode they were given in.
+fn act(parts: &ModeParts, calls: &[TokenStream]) -> TokenStream {
+    let variant = &parts.variant;
+    if calls.is_empty() {
+        return quote! { Ok(Mode::#variant) };
+    }
+    let calls = chain(calls);
+    quote! {
+        #calls?;
+        Ok(Mode::#variant)
+    }
+}
+
+/// The methods that enter modes.
+fn enters(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let plan = wiring.plan;
+    let targets = plan.transitions.iter().map(|way| way.target);
+    let targets = targets.chain(plan.modes.iter().filter_map(|mode| mode.otherwise)).chain([plan.entry]);
+    let targets: BTreeSet<u32> = targets.collect();
+    let blank = layout::blank();
+    let methods = targets.into_iter().map(|target| {
+        let (mode, parts) = (&plan.modes[target as usize], &wiring.modes[target as usize]);
+        let draws = part(&plan.draws, &mode.draws).iter().filter_map(|draw| {
+            let name = parts.drawn.get(&draw.to)?;
+            let [low, high] = [draw.low, draw.high].map(|value| emission.number(value));
+            Some(quote! { let #name = kernel::draw(&mut self.random, #low, #high); })
+        });
+        let commands = [&mode.on_enter, &mode.actions].map(|span| calls(emission, wiring, span, Time::Entering));
+        let commands = commands.concat();
+        let robot = format_ident!("{}", if commands.is_empty() { "_robot" } else { "robot" });
+        let (enter, state, act) = (&parts.enter, first_state(emission, wiring, parts), act(parts, &commands));
+        let restarts = wiring.restarts();
+        quote! {
+            #blank
+            fn #enter<R: Robot>(&mut self, #robot: &mut R) -> Result<Mode, R::Error> {
+                #(#draws)*
+                #restarts
+                self.state = Some(#state);
+                #act
+            }
+        }
+    });
+    methods.collect()
+}
+
+fn first_state(emission: Emission<'_>, wiring: &Wiring<'_>, parts: &ModeParts) -> TokenStream {
+    let variant = &parts.variant;
+    let fields: Vec<_> = wiring
+        .fields_of(parts, emission)
+        .into_iter()
+        .map(|field| {
+            let (name, initial) = (field.name, field.initial.into_iter());
+            quote! { #name #(: #initial)* }
+        })
+        .collect();
+    if fields.is_empty() {
+        quote! { State::#variant }
+    } else {
+        quote! { State::#variant { #(#fields),* } }
+    }
+}

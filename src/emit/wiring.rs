@@ -1,0 +1,226 @@
+//! What a diagram needs on every tick, what only in one of its modes, and the names of all that.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use proc_macro2::Ident;
+
+use super::graph::{Graph, Node, part};
+use super::modes::{self, ModeParts};
+use super::names::{Scope, plain};
+use super::network::Network;
+use crate::plan::{Plan, Step};
+
+/// A diagram taken apart: what it computes on every tick because it must be remembered, and what each mode computes
+/// when it is active.
+pub(super) struct Wiring<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) graph: Graph<'a>,
+    /// The fields of all sensors.
+    pub(super) sensors: Vec<Ident>,
+    /// The sensors whose readings matter.
+    pub(super) read: BTreeSet<u32>,
+    /// The sensors whose health matters.
+    pub(super) watched: BTreeSet<u32>,
+    pub(super) uses_done: bool,
+    /// Whether some mode draws a random number.
+    pub(super) draws: bool,
+    /// The actions that are called.
+    pub(super) actions: BTreeMap<u32, ActionNames>,
+    pub(super) senses: Vec<Sensed<'a>>,
+    /// The event that a step is the flag of: its sense, and its name there.
+    pub(super) events: BTreeMap<Node, (usize, Ident)>,
+    /// The local names of the steps that have one: named flags, and what is looked back at.
+    pub(super) names: HashMap<Node, Ident>,
+    /// The text of what is looked back at.
+    pub(super) texts: HashMap<Node, &'a str>,
+    /// What is computed on every tick.
+    pub(super) always: BTreeSet<Node>,
+    /// The step whose value on the tick before is kept, and where.
+    pub(super) before: BTreeMap<Node, Ident>,
+    /// The stopwatches, latches and counters that the machine itself keeps.
+    pub(super) kept: BTreeMap<Node, Ident>,
+    /// Whether the machine itself keeps the time in the mode.
+    pub(super) keeps_time: bool,
+    pub(super) modes: Vec<ModeParts>,
+}
+
+/// How an action is called.
+pub(super) struct ActionNames {
+    pub(super) method: Ident,
+    pub(super) parameters: Vec<Ident>,
+}
+
+/// A network that is sensed through.
+pub(super) struct Sensed<'a> {
+    pub(super) name: Ident,
+    pub(super) network: &'a Network<'a>,
+    /// The sensors that feed it.
+    pub(super) readings: Vec<u32>,
+    /// The method of the readings that weighs them; `None` where no event of it matters.
+    pub(super) method: Option<Ident>,
+}
+
+/// The names that every tick uses; what the user calls so has another name there.
+const OURS: [&str; 7] = ["inputs", "dt_ns", "dt", "robot", "elapsed", "state", "random"];
+
+impl<'a> Wiring<'a> {
+    pub(super) fn new(plan: &'a Plan, networks: &HashMap<u32, &'a Network<'a>>) -> Self {
+        let mut graph = Graph::new(&plan.code);
+        let mut fields = Scope::new(&["failed", "done"]);
+        let mut locals = Scope::new(&OURS);
+        let mut wiring = Self {
+            sensors: plan.inputs.iter().map(|input| fields.snake(&input.name)).collect(),
+            senses: Vec::new(),
+            events: BTreeMap::new(),
+            names: HashMap::new(),
+            texts: HashMap::new(),
+            read: BTreeSet::new(),
+            watched: plan.required.iter().copied().collect(),
+            uses_done: false,
+            draws: !plan.draws.is_empty(),
+            actions: actions(plan),
+            always: BTreeSet::new(),
+            before: BTreeMap::new(),
+            kept: BTreeMap::new(),
+            keeps_time: false,
+            modes: Vec::new(),
+            graph: Graph::new(&plan.code),
+            plan,
+        };
+        for sense in &plan.senses {
+            let Some(network) = networks.get(&sense.network) else { continue };
+            let readings: Vec<_> = sense.readings.iter().filter_map(|&real| graph.real(real)).collect();
+            let events = part(&plan.events, &sense.events);
+            for (event, name) in events.iter().zip(&network.events) {
+                if let Some(node) = graph.bool(event.flag) {
+                    graph.compute_from(node, readings.clone());
+                    wiring.events.insert(node, (wiring.senses.len(), name.clone()));
+                }
+            }
+            let readings = readings.iter().filter_map(|&node| match plan.code.steps[node] {
+                Step::Read { input, .. } => Some(input),
+                _ => None,
+            });
+            let (name, readings) = (locals.snake(&sense.name), readings.collect());
+            wiring.senses.push(Sensed { name, network, readings, method: None });
+        }
+        wiring.graph = graph;
+        let live = wiring.live();
+        for (_, (sense, _)) in wiring.events.iter().filter(|(node, _)| live.contains(node)) {
+            let sense = &mut wiring.senses[*sense];
+            if sense.method.is_none() {
+                sense.method = Some(fields.snake(&plain(&sense.name)));
+            }
+        }
+        wiring.look_at(&live, &mut locals);
+        wiring.always = wiring.graph.needed(wiring.remembering(&live), &BTreeSet::new());
+        wiring.keep(&live, &mut locals);
+        wiring.modes = modes::all(&wiring, &locals);
+        wiring
+    }
+
+    /// What the conditions of some transitions need.
+    pub(super) fn conditions(&self, transitions: &std::ops::Range<u32>) -> BTreeSet<Node> {
+        let transitions = part(&self.plan.transitions, transitions).iter();
+        let conditions = transitions.filter_map(|way| self.graph.bool(way.condition));
+        self.graph.needed(conditions, &BTreeSet::new())
+    }
+
+    fn live(&self) -> BTreeSet<Node> {
+        self.conditions(&(0..self.plan.transitions.len() as u32))
+    }
+
+    /// Notes what the live steps ask of the inputs, and names those that are computed once.
+    fn look_at(&mut self, live: &BTreeSet<Node>, locals: &mut Scope) {
+        for &node in live {
+            match self.graph.code.steps[node] {
+                Step::Read { input, .. } => {
+                    self.read.insert(input);
+                    self.watched.insert(input);
+                }
+                Step::Failed { input, .. } => {
+                    self.watched.insert(input);
+                }
+                Step::Done { .. } => self.uses_done = true,
+                Step::InMode { .. } => {
+                    self.names.insert(node, locals.snake("in_mode"));
+                }
+                _ => {}
+            }
+        }
+        let remembered = self.plan.remembered.iter();
+        self.texts = remembered.filter_map(|(of, text)| Some((self.graph.bool(*of)?, text.as_str()))).collect();
+        let flags = self.plan.flags.iter().map(|flag| (flag.value, flag.name.as_str()));
+        let remembered = self.plan.remembered.iter().map(|(of, _)| (*of, "condition"));
+        for (bool, name) in flags.chain(remembered) {
+            if let Some(node) = self.graph.bool(bool).filter(|node| live.contains(node))
+                && !self.names.contains_key(&node)
+                && !self.events.contains_key(&node)
+            {
+                self.names.insert(node, locals.snake(name));
+            }
+        }
+    }
+
+    /// What must be computed on every tick, whichever mode is active, to be right on a later one.
+    fn remembering(&self, live: &BTreeSet<Node>) -> Vec<Node> {
+        let remembers = |&node: &Node| match self.events.get(&node) {
+            Some((sense, _)) => self.senses[*sense].network.remembers().then_some(node),
+            None => match self.graph.code.steps[node] {
+                Step::Rising { .. } | Step::Falling { .. } | Step::Lasts { .. } | Step::InMode { .. } => Some(node),
+                Step::Count { of, .. } => self.graph.bool(of),
+                _ => None,
+            },
+        };
+        live.iter().filter_map(remembers).collect()
+    }
+
+    /// Names what is kept from one tick to the next, beside what a mode keeps.
+    fn keep(&mut self, live: &BTreeSet<Node>, locals: &mut Scope) {
+        for &node in live.iter().filter(|node| !self.events.contains_key(node)) {
+            let name = self.operand_name(node);
+            let always = self.always.contains(&node);
+            match self.graph.code.steps[node] {
+                Step::Rising { of, .. } | Step::Falling { of, .. } | Step::Count { of, .. } => {
+                    let of = self.graph.bool(of).unwrap_or(node);
+                    self.before.entry(of).or_insert_with(|| locals.snake(&format!("{name}_before")));
+                }
+                Step::After { .. } => self.keeps_time |= always,
+                _ => {}
+            }
+            if let Some(name) = self.kept_name(node).filter(|_| always) {
+                self.kept.insert(node, locals.snake(&name));
+            }
+        }
+    }
+
+    /// What a stopwatch, a latch or a counter is called.
+    pub(super) fn kept_name(&self, node: Node) -> Option<String> {
+        let what = match self.graph.code.steps[node] {
+            Step::Lasts { .. } => "held",
+            Step::Latched { .. } => "latched",
+            Step::Count { .. } => "count",
+            _ => return None,
+        };
+        Some(format!("{}_{what}", self.operand_name(node)))
+    }
+
+    /// What the first operand of a step is called in names made from it.
+    fn operand_name(&self, node: Node) -> String {
+        let of = self.graph.operands(node).first().copied();
+        let name = of.and_then(|of| self.names.get(&of).or_else(|| self.events.get(&of).map(|(_, name)| name)));
+        name.map_or_else(|| "condition".to_owned(), plain)
+    }
+}
+
+fn actions(plan: &Plan) -> BTreeMap<u32, ActionNames> {
+    let used: BTreeSet<u32> = plan.calls.iter().map(|call| call.action).collect();
+    let mut methods = Scope::new(&[]);
+    let names = used.into_iter().filter_map(|action| {
+        let declared = plan.actions.get(action as usize)?;
+        let mut scope = Scope::new(&["start"]);
+        let parameters = declared.parameters.iter().map(|(name, _)| scope.snake(name)).collect();
+        Some((action, ActionNames { method: methods.snake(&declared.name), parameters }))
+    });
+    names.collect()
+}

@@ -1,0 +1,417 @@
+//! Emitted code as a process that is fed with readings: what the tests of emitted code share.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use lmslc::driver::Analysis;
+use lmslc::emit::Options;
+use lmslc::interp::{Actuators, Evaluator, Inputs, Machine, Reading};
+use lmslc::plan::{self, NetworkPlan, Plan, Step};
+use quote::ToTokens;
+
+use crate::emit_programs::Random;
+
+/// Everything that one program emits, and the plans that it was emitted from.
+#[derive(Clone)]
+pub struct Case {
+    pub title: String,
+    pub code: String,
+    pub networks: Vec<NetworkPlan>,
+    pub diagrams: Vec<Plan>,
+}
+
+impl Case {
+    /// The roots of an analysis without errors; `networks` and `diagrams` whose module stands in the emitted code.
+    pub fn new(title: &str, analysis: &Analysis, options: &Options) -> Self {
+        let checked = analysis.checked().unwrap_or_else(|| panic!("{title}\n{}", crate::support::report(analysis)));
+        let code = analysis.rust(options).unwrap();
+        let program = &analysis.program;
+        let emitted = |name: &str| code.contains(&format!("\npub mod {name} {{"));
+        let networks = program.networks.ids().map(|id| plan::build_network(checked, id));
+        let diagrams = program.diagrams.iter().map(|(id, diagram)| plan::build_on(checked, id, diagram.platform, &[]));
+        Self {
+            title: title.to_owned(),
+            networks: networks.filter(|plan| emitted(&plan.name)).collect(),
+            diagrams: diagrams.filter(|plan| emitted(&plan.name)).collect(),
+            code,
+        }
+    }
+
+    /// Bodies of functions that run each plan on unknown numbers, without `std`.
+    pub fn bare_drivers(&self, path: &str) -> Vec<String> {
+        let networks = self.networks.iter().map(|plan| {
+            let (name, remembers) = (&plan.name, interface(&self.code, &plan.name).fields.contains_key("Memory"));
+            let memory =
+                if remembers { format!(", &mut any::<{path}::{name}::Memory>(), any()") } else { String::new() };
+            format!("black_box({path}::{name}::evaluate(&any::<{path}::{name}::Inputs>(){memory}));")
+        });
+        let diagrams = self.diagrams.iter().map(|plan| {
+            let path = format!("{path}::{}", plan.name);
+            let interface = interface(&self.code, &plan.name);
+            let actions = interface.actions.iter().map(|action| {
+                let parameters = &interface.functions[action];
+                let declared = parameters.iter().map(|(name, kind)| format!("{name}: {kind}, "));
+                let names = parameters.iter().map(|(name, _)| format!("{name}, "));
+                format!(
+                    "fn {action}(&mut self, {}) -> Result<(), u8> {{ black_box(({})); any() }}",
+                    declared.collect::<Vec<_>>().concat(),
+                    names.collect::<Vec<_>>().concat()
+                )
+            });
+            let actions = actions.collect::<Vec<_>>().concat();
+            format!(
+                "struct Any; impl {path}::Robot for Any {{ type Error = u8; {actions} }}
+                let mut machine = any::<{path}::Machine>();
+                black_box(machine.step(&any(), any(), &mut Any));
+                black_box(machine);"
+            )
+        });
+        networks.chain(diagrams).collect()
+    }
+}
+
+/// What emitted code offers, read from its text.
+#[derive(Default)]
+struct Interface {
+    /// The fields of each struct.
+    fields: BTreeMap<String, Vec<String>>,
+    /// The parameters of each function, and of each action.
+    functions: BTreeMap<String, Vec<(String, String)>>,
+    actions: Vec<String>,
+}
+
+fn interface(code: &str, module: &str) -> Interface {
+    let file = syn::parse_file(code).unwrap();
+    let module = file.items.iter().find_map(|item| match item {
+        syn::Item::Mod(found) if found.ident == module => found.content.as_ref(),
+        _ => None,
+    });
+    let mut interface = Interface::default();
+    let mut function = |signature: &syn::Signature| {
+        let parameters = signature.inputs.iter().filter_map(|input| match input {
+            syn::FnArg::Typed(input) => {
+                Some((input.pat.to_token_stream().to_string(), input.ty.to_token_stream().to_string()))
+            }
+            syn::FnArg::Receiver(_) => None,
+        });
+        interface.functions.insert(signature.ident.to_string(), parameters.collect());
+    };
+    for item in &module.unwrap().1 {
+        match item {
+            syn::Item::Struct(declared) => {
+                let fields = declared.fields.iter().map(|field| field.ident.as_ref().unwrap().to_string());
+                interface.fields.insert(declared.ident.to_string(), fields.collect());
+            }
+            syn::Item::Fn(free) => function(&free.sig),
+            syn::Item::Impl(methods) if methods.self_ty.to_token_stream().to_string() == "Machine" => {
+                for item in &methods.items {
+                    if let syn::ImplItem::Fn(method) = item {
+                        function(&method.sig);
+                    }
+                }
+            }
+            syn::Item::Trait(robot) => {
+                for item in &robot.items {
+                    if let syn::TraitItem::Fn(method) = item {
+                        function(&method.sig);
+                        interface.actions.push(method.sig.ident.to_string());
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    interface
+}
+
+/// A driver for a network: readings in, one line a reading out.
+fn drive_network(path: &str, code: &str, plan: &NetworkPlan) -> String {
+    let interface = interface(code, &plan.name);
+    let remembers = interface.fields.contains_key("Memory");
+    let inputs =
+        plan.inputs.iter().map(|input| format!("{}: words.float(), ", input.name)).collect::<Vec<_>>().concat();
+    let (memory, extra) = if remembers {
+        (format!("let mut memory = {path}::Memory::new();"), ", &mut memory, dt")
+    } else {
+        (String::new(), "")
+    };
+    let lines = plan.events.iter().map(|event| {
+        let name = &event.name;
+        format!(
+            "write!(line, \" {{}}:{{:x}}:{{:x}}\", events.{name}, strengths.{name}.contributor.to_bits(), strengths.{name}.detractor.to_bits()).unwrap();\n"
+        )
+    });
+    let lines = lines.collect::<Vec<_>>().concat();
+    format!(
+        "{memory}
+        for _ in 0..words.next() {{
+            let dt = words.next();
+            let _ = dt;
+            let inputs = {path}::Inputs {{ {inputs} }};
+            let strengths = {path}::strengths(&inputs);
+            let events = {path}::evaluate(&inputs{extra});
+            let _ = (&strengths, &events);
+            let mut line = String::new();
+            {lines}
+            println!(\"{{line}}\");
+        }}"
+    )
+}
+
+/// A driver for a machine: readings in, one line a tick out.
+fn drive_machine(path: &str, code: &str, plan: &Plan) -> String {
+    let interface = interface(code, &plan.name);
+    let fields = |name: &str| interface.fields.get(name).cloned().unwrap_or_default();
+    let position = |name: &str| plan.inputs.iter().position(|input| input.name == name).unwrap();
+    let mut inputs = String::new();
+    for field in fields("Inputs") {
+        match field.as_str() {
+            "failed" => {
+                let failed = fields("Failed").into_iter().map(|name| format!("{name}: failed[{}], ", position(&name)));
+                write!(inputs, "failed: {path}::Failed {{ {} }}, ", failed.collect::<Vec<_>>().concat()).unwrap();
+            }
+            "done" => inputs += "done, ",
+            name => write!(inputs, "{name}: readings[{}], ", position(name)).unwrap(),
+        }
+    }
+    let actions = interface.actions.iter().map(|action| {
+        let parameters = &interface.functions[action];
+        let declared = parameters.iter().map(|(name, kind)| format!("{name}: {kind}, ")).collect::<Vec<_>>().concat();
+        let shown = parameters.iter().map(|(name, kind)| match kind.as_str() {
+            "bool" => format!("write!(self.0, \",{{}}\", {name}).unwrap();"),
+            _ => format!("write!(self.0, \",{{:x}}\", {name}.to_bits()).unwrap();"),
+        });
+        format!(
+            "fn {action}(&mut self, {declared}) -> Result<(), Infallible> {{
+                write!(self.0, \" {action}\").unwrap(); {} Ok(())
+            }}",
+            shown.collect::<Vec<_>>().concat()
+        )
+    });
+    let actions = actions.collect::<Vec<_>>().concat();
+    let seed = if interface.functions["new"].is_empty() { "" } else { "7" };
+    let sensors = plan.inputs.len();
+    format!(
+        "struct Log(String);
+        impl {path}::Robot for Log {{
+            type Error = Infallible;
+            {actions}
+        }}
+        let mut machine = {path}::Machine::new({seed});
+        for _ in 0..words.next() {{
+            let (dt, done) = (words.next(), words.next() == 1);
+            let _ = done;
+            let readings: [f64; {sensors}] = std::array::from_fn(|_| words.float());
+            let failed: [bool; {sensors}] = std::array::from_fn(|_| words.next() == 1);
+            let _ = (readings, failed);
+            let inputs = {path}::Inputs {{ {inputs} }};
+            // A tick that is taken back leaves no trace.
+            let saved = machine;
+            let Ok(_) = machine.step(&inputs, dt / 2 + 1, &mut Log(String::new()));
+            machine = saved;
+            let mut log = Log(String::new());
+            let Ok(mode) = machine.step(&inputs, dt, &mut log);
+            assert_eq!(machine.mode(), Some(mode));
+            println!(\"{{}}{{}}|{{machine:?}}\", mode.name(), log.0);
+        }}"
+    )
+}
+
+/// Cases as one crate, and a process that runs them.
+pub fn write_crate(cases: &[Case], folder: &Path) {
+    let mut library =
+        "//! Emitted.\n#![no_std]\n#![forbid(unsafe_code)]\n#![deny(warnings, clippy::pedantic, missing_docs)]\n"
+            .to_owned();
+    let mut runner = "#![allow(warnings)]
+        use std::{convert::Infallible, fmt::Write as _, io::Read as _};
+        struct Words(std::vec::IntoIter<u8>);
+        impl Words {
+            fn next(&mut self) -> u64 { u64::from_le_bytes(std::array::from_fn(|_| self.0.next().unwrap())) }
+            fn float(&mut self) -> f64 { f64::from_bits(self.next()) }
+        }
+        fn main() {
+            let mut bytes = Vec::new();
+            std::io::stdin().read_to_end(&mut bytes).unwrap();
+            let words = &mut Words(bytes.into_iter());\n"
+        .to_owned();
+    let mut drivers = String::new();
+    for (number, case) in cases.iter().enumerate() {
+        let module = format!("case_{number}");
+        writeln!(library, "/// `{}`\npub mod {module};", case.title).unwrap();
+        std::fs::write(folder.join(format!("{module}.rs")), &case.code).unwrap();
+        let path = |name: &str| format!("emitted::{module}::{name}");
+        let networks = case.networks.iter().map(|plan| drive_network(&path(&plan.name), &case.code, plan));
+        let diagrams = case.diagrams.iter().map(|plan| drive_machine(&path(&plan.name), &case.code, plan));
+        for (index, driver) in networks.chain(diagrams).enumerate() {
+            writeln!(runner, "{module}_{index}(words);").unwrap();
+            writeln!(drivers, "fn {module}_{index}(words: &mut Words) {{\n{driver}\n}}").unwrap();
+        }
+    }
+    std::fs::write(folder.join("lib.rs"), library).unwrap();
+    std::fs::write(folder.join("main.rs"), format!("{runner}}}\n{drivers}")).unwrap();
+}
+
+/// Runs a compiler in a folder; its complaint if it fails.
+pub fn compile(compiler: &str, folder: &Path, arguments: &[&str]) -> Result<(), String> {
+    let common = ["--edition", "2024", "--cap-lints", "forbid"];
+    // What smooth shapes are computed by, as it was compiled for us.
+    let beside = std::env::current_exe().unwrap().parent().unwrap().to_owned();
+    let libm = std::fs::read_dir(&beside).unwrap().map(|entry| entry.unwrap().path()).filter(|path| {
+        let name = path.file_name().unwrap().to_string_lossy();
+        name.starts_with("liblibm-") && name.ends_with(".rlib")
+    });
+    let libm = libm.max_by_key(|path| std::fs::metadata(path).unwrap().modified().unwrap()).unwrap();
+    let (libm, beside) = (format!("libm={}", libm.display()), format!("dependency={}", beside.display()));
+    let mut command = Command::new(compiler);
+    command.current_dir(folder).args(common).args(["--extern", &libm, "-L", &beside]).args(arguments);
+    let output = command.output().unwrap();
+    if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
+}
+
+/// Feeds a process with words and answers its lines.
+pub fn run(program: &Path, words: &[u64]) -> Vec<String> {
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let mut child = Command::new(program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    let writer = std::thread::spawn(move || stdin.write_all(&bytes).unwrap());
+    let output = child.wait_with_output().unwrap();
+    writer.join().unwrap();
+    assert!(output.status.success());
+    String::from_utf8(output.stdout).unwrap().lines().map(str::to_owned).collect()
+}
+
+/// Readings and times at which something changes, in a plan.
+pub struct Critical {
+    values: Vec<f64>,
+    times: Vec<u64>,
+}
+
+/// Where a shape turns.
+fn landmarks(shape: &plan::Shape, code: &plan::Code) -> Vec<f64> {
+    use plan::Shape;
+    match shape {
+        Shape::Ramp { zero_at, one_at } => vec![*zero_at, *one_at],
+        Shape::Triangle(of) => of.to_vec(),
+        Shape::Rectangle(of) | Shape::Rise(of) | Shape::Fall(of) => of.to_vec(),
+        Shape::Trapezoid(of) | Shape::RiseAndFall(of) => of.to_vec(),
+        Shape::Points(of) => code.points[of.start as usize..of.end as usize].iter().map(|(at, _)| *at).collect(),
+        Shape::Gaussian2([low, _, high, _]) => vec![*low, *high],
+        Shape::Singleton(at)
+        | Shape::Gaussian([at, _])
+        | Shape::Bell([at, ..])
+        | Shape::Sigmoid([at, _])
+        | Shape::Cosine([at, _]) => vec![*at],
+    }
+}
+
+impl Critical {
+    pub fn new(code: &plan::Code, inputs: &[plan::Input]) -> Self {
+        let mut corners: Vec<f64> = vec![0.0, -0.0];
+        let mut times = vec![0, 1, 10_000_000, 10_000_000, 10_000_000, 30_000_000, u64::from(u32::MAX)];
+        for step in &code.steps {
+            match step {
+                Step::Degree { shape, .. } => corners.extend(landmarks(shape, code)),
+                Step::Constant { value, .. } => corners.push(*value),
+                Step::After { duration, .. } | Step::Lasts { duration, .. } | Step::Hold { duration, .. } => {
+                    times.extend([*duration, duration.saturating_sub(1)]);
+                }
+                _ => {}
+            }
+        }
+        corners.extend(inputs.iter().flat_map(|input| [input.low, input.high, input.fail]));
+        corners.sort_by(f64::total_cmp);
+        corners.dedup();
+        let between: Vec<_> = corners.windows(2).map(|pair| f64::midpoint(pair[0], pair[1])).collect();
+        let beside: Vec<_> = corners.iter().flat_map(|corner| [corner.next_up(), corner.next_down()]).collect();
+        let beyond = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN, f64::MIN_POSITIVE, 1e9, -1e9];
+        Self { values: [corners, between, beside, beyond.to_vec()].concat(), times }
+    }
+
+    fn reading(&self, input: &plan::Input, random: &mut Random) -> f64 {
+        if random.chance(2) {
+            random.one_of(&self.values)
+        } else {
+            lmslc::kernel::draw(&mut random.0, input.low - 0.5, input.high + 0.5)
+        }
+    }
+
+    fn dt(&self, random: &mut Random) -> u64 {
+        if random.chance(200) { u64::MAX - random.below(2) } else { random.one_of(&self.times) }
+    }
+}
+
+/// Words for a network, and the lines that the interpreter answers.
+pub fn expect_of_network(plan: &NetworkPlan, ticks: u64, random: &mut Random, words: &mut Vec<u64>) -> Vec<String> {
+    let critical = Critical::new(&plan.code, &plan.inputs);
+    let mut evaluator = Evaluator::new(plan);
+    words.push(ticks);
+    let mut readings: Vec<f64> = plan.inputs.iter().map(|input| input.low).collect();
+    let lines = (0..ticks).map(|_| {
+        let dt = critical.dt(random);
+        for (reading, input) in readings.iter_mut().zip(&plan.inputs) {
+            if !random.chance(3) {
+                *reading = critical.reading(input, random);
+            }
+        }
+        words.push(dt);
+        words.extend(readings.iter().map(|reading| reading.to_bits()));
+        let told: Vec<_> = readings.iter().map(|&value| Reading { value, healthy: true }).collect();
+        evaluator.evaluate(&told, dt);
+        let bits = |real| evaluator.real(real).to_bits();
+        let events = plan.events.iter().map(|event| {
+            format!(" {}:{:x}:{:x}", evaluator.bool(event.flag), bits(event.contributor), bits(event.detractor))
+        });
+        events.collect()
+    });
+    lines.collect()
+}
+
+struct Log<'p>(&'p Plan, String);
+
+impl Actuators for Log<'_> {
+    fn command(&mut self, action: u32, arguments: &[f64], start: bool) {
+        let action = &self.0.actions[action as usize];
+        write!(self.1, " {}", action.name).unwrap();
+        for argument in arguments {
+            write!(self.1, ",{:x}", argument.to_bits()).unwrap();
+        }
+        if action.reports_done {
+            write!(self.1, ",{start}").unwrap();
+        }
+    }
+}
+
+/// What the interpreter does on a tick.
+pub struct Tick {
+    /// The mode and its commands.
+    pub line: String,
+    pub dwell: u64,
+}
+
+/// Words for a machine, and what the interpreter does with them.
+pub fn expect_of_machine(plan: &Plan, ticks: u64, random: &mut Random, words: &mut Vec<u64>) -> Vec<Tick> {
+    let critical = Critical::new(&plan.code, &plan.inputs);
+    let mut machine = Machine::new(plan, 7);
+    words.push(ticks);
+    let mut readings: Vec<_> = plan.inputs.iter().map(|input| Reading { value: input.low, healthy: true }).collect();
+    let ticks = (0..ticks).map(|_| {
+        let (dt, done) = (critical.dt(random), random.chance(5));
+        for (reading, input) in readings.iter_mut().zip(&plan.inputs) {
+            if random.chance(3) {
+                reading.value = critical.reading(input, random);
+                reading.healthy = !random.chance(6);
+            }
+        }
+        words.extend([dt, u64::from(done)]);
+        words.extend(readings.iter().map(|reading| reading.value.to_bits()));
+        words.extend(readings.iter().map(|reading| u64::from(!reading.healthy)));
+        let mut log = Log(plan, String::new());
+        machine.step(Inputs { readings: &readings, done }, dt, &mut log);
+        let mode = &plan.modes[machine.mode() as usize].name;
+        Tick { line: format!("{mode}{}", log.1), dwell: machine.dwell() }
+    });
+    ticks.collect()
+}

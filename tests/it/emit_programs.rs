@@ -1,0 +1,297 @@
+//! Random programs that use the whole language, for comparing what runs them.
+
+use std::fmt::Write;
+
+use lmslc::kernel::next_random;
+
+/// A seeded source of choices.
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn below(&mut self, limit: u64) -> u64 {
+        next_random(&mut self.0) % limit
+    }
+
+    pub fn one_of<T: Clone>(&mut self, values: &[T]) -> T {
+        values[self.below(values.len() as u64) as usize].clone()
+    }
+
+    pub fn chance(&mut self, one_in: u64) -> bool {
+        self.below(one_in) == 0
+    }
+
+    /// Some corners from 0 to 10, ascending, in quarters; now and then two are equal.
+    fn corners(&mut self, count: usize) -> Vec<f64> {
+        let mut corners: Vec<f64> = (0..count).map(|_| self.below(41) as f64 / 4.0).collect();
+        corners.sort_by(f64::total_cmp);
+        if corners[0] == corners[count - 1] {
+            return (0..count).map(|corner| corner as f64 * 2.5).collect();
+        }
+        corners
+    }
+
+    /// The shape of a term; the terms before it are called `t` and their number.
+    fn shape(&mut self, before: u64, smooth: bool) -> String {
+        if smooth && self.chance(2) {
+            return self.smooth_shape(before);
+        }
+        let kind =
+            self.one_of(&["ramp", "ramp", "triangle", "triangle", "trapezoid", "rectangle", "points", "singleton"]);
+        let list = |corners: &[f64]| corners.iter().map(|corner| format!("{corner}")).collect::<Vec<_>>().join(", ");
+        match kind {
+            "ramp" => {
+                let mut ends = self.corners(2);
+                if self.chance(2) {
+                    ends.reverse();
+                }
+                format!("ramp({})", list(&ends))
+            }
+            "triangle" => format!("triangle({})", list(&self.corners(3))),
+            "trapezoid" => format!("trapezoid({})", list(&self.corners(4))),
+            "rectangle" => format!("rectangle({})", list(&self.corners(2))),
+            "singleton" => format!("singleton({})", self.below(11)),
+            _ => {
+                let corners = self.corners(4);
+                let points = corners.iter().map(|corner| format!("({corner}, {})", self.below(5) as f64 / 4.0));
+                format!("points({})", points.collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+
+    fn smooth_shape(&mut self, before: u64) -> String {
+        let (at, width) = (1 + self.below(9), 1 + self.below(4));
+        let corners = self.corners(4);
+        let mut shapes = vec![
+            format!("gaussian({at}, {width})"),
+            format!("gaussian2({at}, {width}, 9.5, 0.5)"),
+            format!("bell({at}, {width}, 2.5)"),
+            format!("sigmoid({at}, -{width})"),
+            format!("s_shape({}, {})", corners[0], corners[3]),
+            format!("z_shape({}, {})", corners[0], corners[3]),
+            format!("pi_shape({}, {}, {}, {})", corners[0], corners[1], corners[2], corners[3]),
+            format!("cosine({at}, {width})"),
+        ];
+        if before > 0 {
+            let (one, other) = (self.below(before), self.below(before));
+            let built = ["not t#", "very t#", "somewhat t#", "t# or t?", "t# and not t?", "very (t# or not t?)"];
+            let named = |built: &str| built.replace('#', &one.to_string()).replace('?', &other.to_string());
+            shapes.extend(built.map(named));
+        }
+        self.one_of(&shapes)
+    }
+
+    fn fails(&mut self) -> String {
+        let value = self.below(11);
+        self.one_of(&[
+            String::new(),
+            format!("fails {value}"),
+            format!("fails any, {value}"),
+            "fails absent".to_owned(),
+        ])
+    }
+}
+
+/// A term of a variable is called `t` and its position, a variable `v`, an event of the network `n` `n_e` and its
+/// position, and so on: every name says what it is.
+struct Program {
+    random: Random,
+    /// Whether terms may be smooth, or built from others.
+    smooth: bool,
+    /// How many terms each variable has.
+    terms: Vec<u64>,
+    /// The variables of each network's inputs, and how many events it has.
+    networks: Vec<(Vec<usize>, u64)>,
+}
+
+/// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`.
+pub fn program(seed: u64) -> (String, String) {
+    let mut program =
+        Program { random: Random(seed), smooth: seed.is_multiple_of(3), terms: Vec::new(), networks: Vec::new() };
+    let fusion = program.fusion();
+    let modes = program.behavior();
+    (fusion, modes)
+}
+
+const SENSORS: usize = 4;
+
+impl Program {
+    fn fusion(&mut self) -> String {
+        let mut text = String::new();
+        for variable in 0..=self.random.below(3) {
+            let terms = 2 + self.random.below(3);
+            writeln!(text, "variable v{variable}: 1 in 0 .. 10 {} {{", self.random.fails()).unwrap();
+            for term in 0..terms {
+                let shape = self.random.shape(term, self.smooth);
+                writeln!(text, "    t{term} = {shape}").unwrap();
+            }
+            text += "}\n";
+            self.terms.push(terms);
+        }
+        for network in 0..=self.random.below(2) {
+            let count = 1 + self.random.below(3);
+            let inputs: Vec<usize> = (0..count).map(|_| self.random.below(self.terms.len() as u64) as usize).collect();
+            let declared = inputs.iter().enumerate().map(|(input, variable)| format!("i{input}: v{variable}"));
+            let declared = declared.collect::<Vec<_>>().join(", ");
+            writeln!(text, "/// Network number {network}.\nnetwork n{network}({declared}) {{").unwrap();
+            let events = 1 + self.random.below(3);
+            for event in 0..events {
+                text += &self.event(network, event, &inputs);
+            }
+            text += "}\n";
+            self.networks.push((inputs, events));
+        }
+        text
+    }
+
+    fn event(&mut self, network: u64, event: u64, inputs: &[usize]) -> String {
+        let mut options = String::new();
+        for option in ["hysteresis 0.15", "confirm 30 ms", "hold 70 ms"] {
+            if self.random.chance(5) {
+                options = format!("{options} {option}");
+            }
+        }
+        let mut text = format!("    event n{network}_e{event}{options} {{\n");
+        for (side, least) in [("contributor", 1), ("detractor", 0)] {
+            let rules = least + self.random.below(7);
+            if rules > 0 {
+                writeln!(text, "        {side}").unwrap();
+            }
+            for _ in 0..rules {
+                let rule = if self.random.chance(4) { self.rule_in_words(inputs) } else { self.row(inputs) };
+                writeln!(text, "            {rule}").unwrap();
+            }
+        }
+        text + "    }\n"
+    }
+
+    fn row(&mut self, inputs: &[usize]) -> String {
+        let cells = inputs.iter().map(|&variable| {
+            let terms = self.terms[variable];
+            match self.random.below(8) {
+                0 => "_".to_owned(),
+                1 => "-".to_owned(),
+                2 => format!("{{t0, t{}}}", 1 + self.random.below(terms - 1)),
+                _ => format!("t{}", self.random.below(terms)),
+            }
+        });
+        format!("({})", cells.collect::<Vec<_>>().join(", "))
+    }
+
+    fn rule_in_words(&mut self, inputs: &[usize]) -> String {
+        let mut test = || {
+            let input = self.random.below(inputs.len() as u64) as usize;
+            let term = self.random.below(self.terms[inputs[input]]);
+            let not = self.random.one_of(&["", "", "not "]);
+            format!("{not}i{input} is t{term}")
+        };
+        let tests = [test(), test(), test()];
+        let words = self.random.one_of(&["and", "or"]);
+        format!("rule {} {words} ({} or {})", tests[0], tests[1], tests[2])
+    }
+
+    fn atom(&mut self) -> String {
+        let network = self.random.below(self.networks.len() as u64);
+        let event = self.random.below(self.networks[network as usize].1);
+        let sense = self.random.one_of(&["n", "n", "again_n"]);
+        let event = format!("{sense}{network}.n{network}_e{event}");
+        let (sensor, other) = (self.random.below(SENSORS as u64), self.random.below(SENSORS as u64));
+        let operator = self.random.one_of(&["<", "<=", ">", ">=", "==", "!="]);
+        match self.random.below(7) {
+            0 => format!("s{sensor} {operator} {}", 1 + self.random.below(9)),
+            1 => format!("s{sensor} {operator} s{other}"),
+            2 => format!("failed(s{sensor})"),
+            3 => "done".to_owned(),
+            _ => event,
+        }
+    }
+
+    fn condition(&mut self, flags: u64) -> String {
+        let flag = |random: &mut Random, atom: String| {
+            if flags > 0 && random.chance(2) { format!("f{}", random.below(flags)) } else { atom }
+        };
+        let atom = self.atom();
+        let plain = flag(&mut self.random, atom);
+        let duration = 10 * (1 + self.random.below(12));
+        let mut condition = match self.random.below(12) {
+            0 => format!("rising({plain})"),
+            1 => format!("falling({plain})"),
+            2 => format!("held({plain}, {duration} ms)"),
+            3 => format!("latched({plain})"),
+            4 => format!("count({plain}) >= {}", 1 + self.random.below(3)),
+            5 => format!("after {duration} ms"),
+            6 => format!("not {plain}"),
+            7 => self.random.one_of(&[
+                format!("rising(latched({plain}))"),
+                format!("held(after {duration} ms, 50 ms)"),
+                format!("latched(count({plain}) >= 2)"),
+                format!("falling(not held({plain}, 20 ms) or s0 > 5)"),
+                "after 5 s".to_owned(),
+                "count(s0 > 5) != count(s1 > 5)".to_owned(),
+            ]),
+            _ => plain,
+        };
+        for _ in 0..self.random.below(3) {
+            let (word, atom) = (self.random.one_of(&["and", "or", "and not", "or not"]), self.atom());
+            condition = format!("({condition}) {word} {}", flag(&mut self.random, atom));
+        }
+        condition
+    }
+
+    fn call(&mut self) -> String {
+        self.random.one_of(&[
+            "halt()".to_owned(),
+            "drive(26 cm/s)".to_owned(),
+            "arc(-0.1 m/s, radius: random(1 m, 3 m))".to_owned(),
+            "turn(random(-120 deg, 120 deg))".to_owned(),
+            "turn(90 deg)".to_owned(),
+        ])
+    }
+
+    fn behavior(&mut self) -> String {
+        let mut text = "import n\nrobot cart {\n".to_owned();
+        for sensor in 0..SENSORS {
+            let optional = if sensor > 1 { "optional " } else { "" };
+            let range = self.random.one_of(&["0 .. 10", "-2 .. 12", "1 .. 9"]);
+            let fails = self.random.one_of(&["", "fails 3", "fails 8, any"]);
+            writeln!(text, "    {optional}sensor s{sensor}: 1 in {range} {fails}").unwrap();
+        }
+        text += "    action halt()\n    action drive(speed: m/s)\n    action arc(speed: m/s, radius: m)
+    action turn(angle: deg) -> done\n    action ring(times: 1)\n}\nbehavior b on cart {\n";
+        for network in 0..self.networks.len() {
+            for name in ["", "again_"] {
+                let inputs =
+                    (0..self.networks[network].0.len()).map(|_| format!("s{}", self.random.below(SENSORS as u64)));
+                let inputs = inputs.collect::<Vec<_>>().join(", ");
+                writeln!(text, "    sense {name}n{network} = n{network}({inputs})").unwrap();
+            }
+        }
+        let flags = self.random.below(4);
+        for flag in 0..flags {
+            writeln!(text, "    flag f{flag} = {}", self.condition(flag)).unwrap();
+        }
+        let modes = 2 + self.random.below(5);
+        text += "    entry m0\n";
+        for mode in 0..modes {
+            let requires = match self.random.below(4) {
+                0 if mode > 0 => format!(" requires s2 else m{}", self.random.below(mode)),
+                1 if mode > 0 => " requires s2, s3".to_owned(),
+                _ => String::new(),
+            };
+            writeln!(text, "    mode m{mode}{requires} {{\n        turn(random(-1 rad, 1 rad))").unwrap();
+            for when in ["on enter", "on exit", ""] {
+                if self.random.chance(3) {
+                    let (first, second) = (self.call(), self.random.one_of(&["ring(2)", "halt()"]));
+                    let calls = if when.is_empty() { first } else { format!("{when} {{ {first}  {second} }}") };
+                    writeln!(text, "        {calls}").unwrap();
+                }
+            }
+            for priority in 1..=1 + self.random.below(4) {
+                let target = self.random.below(modes);
+                let target = if target == mode { "again".to_owned() } else { format!("m{target}") };
+                writeln!(text, "        {priority}: {} -> {target}", self.condition(flags)).unwrap();
+            }
+            text += "    }\n";
+        }
+        text + "}\n"
+    }
+}
