@@ -18,3 +18,5 @@ pub mod syntax;
 pub mod trace;
 pub mod verify;
 pub mod view;
+
+pub use cli::build;

@@ -34,7 +34,8 @@ pub(super) fn levels(file: &str, terminal: &Terminal) -> Result<Levels, u8> {
     })
 }
 
-fn find(file: &str) -> Option<PathBuf> {
+/// The configuration that holds for a file.
+pub(super) fn find(file: &str) -> Option<PathBuf> {
     let folder = if file == "-" { Path::new("") } else { Path::new(file).parent()? };
     let start = std::path::absolute(if folder.as_os_str().is_empty() { Path::new(".") } else { folder }).ok()?;
     let here = std::env::current_dir().ok()?;

@@ -16,8 +16,11 @@ mod fix;
 mod flags;
 mod quantity;
 mod run;
+mod script;
 mod terminal;
 mod test;
+
+pub use script::build;
 
 use std::process::ExitCode;
 

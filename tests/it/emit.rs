@@ -13,7 +13,7 @@ use lmslc::syntax::{ast::FileKind, parse};
 
 use crate::emit_harness::{Case, compile, expect_of_machine, expect_of_network, run, write_crate};
 use crate::emit_programs::{Random, program};
-use crate::support::{analyze_path, analyze_texts, clean, files_below, root};
+use crate::support::{analyze_path, analyze_texts, clean, fences, files_below, root};
 
 /// Every file of the library and the examples that something can be emitted of, and random programs.
 static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
@@ -393,4 +393,16 @@ fn what_is_written_on_an_interface_is_compiled_for_a_robot_that_is_known() {
     assert_eq!(rust(&both, Some("three")), Err(NotCompiled::NotWrittenFor("b".to_owned())));
     assert_eq!(rust(&["robot r { action a() }"], None), Err(NotCompiled::Nothing));
     assert_eq!(rust(&["mode"], None), Err(NotCompiled::Errors));
+}
+
+/// The guide shows the files of the example, which `.ci/run` builds and runs.
+#[test]
+fn the_guide_shows_the_example() {
+    let guide = std::fs::read_to_string(root().join("docs/embedding.md")).unwrap();
+    let shown: Vec<_> = fences(&guide).into_iter().filter(|fence| fence.file.is_some()).collect();
+    assert_eq!(shown.len(), 4);
+    for fence in shown {
+        let path = root().join("examples/embed").join(fence.file.unwrap());
+        assert!(std::fs::read_to_string(&path).unwrap() == fence.text, "{} is shown otherwise", path.display());
+    }
 }
