@@ -365,7 +365,7 @@ pub mod obstacle_manipulation {
         ///
         /// Mode `init`, std/behaviors/obstacle_avoidance.msd:14.
         Init,
-        /// Mode `forward`, obstacle_manipulation.msd:8.
+        /// Mode `forward`, obstacle_manipulation.msd:10.
         Forward,
         /// Mode `stop`, std/behaviors/obstacle_avoidance.msd:22.
         Stop,
@@ -375,7 +375,7 @@ pub mod obstacle_manipulation {
         RandomTurn,
         /// Pushes along a forward arc.
         ///
-        /// Mode `push`, obstacle_manipulation.msd:16.
+        /// Mode `push`, obstacle_manipulation.msd:18.
         Push,
     }
 
@@ -490,16 +490,16 @@ pub mod obstacle_manipulation {
                     Ok(Mode::Init)
                 }
                 Some(State::Forward) => {
-                    // 1: heavy_obstacle    -> stop (obstacle_manipulation.msd:10)
+                    // 1: heavy_obstacle    -> stop (obstacle_manipulation.msd:12)
                     let obstacle_id = inputs.obstacle_id();
                     if obstacle_id.heavy_obstacle {
                         return self.enter_stop(robot);
                     }
-                    // 2: forward_collision -> push (obstacle_manipulation.msd:11)
+                    // 2: forward_collision -> push (obstacle_manipulation.msd:13)
                     if obstacle_id.forward_collision && !inputs.failed.contact_force {
                         return self.enter_push(robot);
                     }
-                    // 3: forward_collision -> stop (obstacle_manipulation.msd:13)
+                    // 3: forward_collision -> stop (obstacle_manipulation.msd:15)
                     if obstacle_id.forward_collision {
                         return self.enter_stop(robot);
                     }
@@ -538,12 +538,12 @@ pub mod obstacle_manipulation {
                     if inputs.failed.contact_force {
                         return self.enter_stop(robot);
                     }
-                    // 1: heavy_obstacle -> stop (obstacle_manipulation.msd:18)
+                    // 1: heavy_obstacle -> stop (obstacle_manipulation.msd:20)
                     let obstacle_id = inputs.obstacle_id();
                     if obstacle_id.heavy_obstacle {
                         return self.enter_stop(robot);
                     }
-                    // 2: after 4 s      -> forward (obstacle_manipulation.msd:19)
+                    // 2: after 4 s      -> forward (obstacle_manipulation.msd:21)
                     if *elapsed >= 4_000_000_000 {
                         return self.enter_forward(robot);
                     }
