@@ -162,6 +162,7 @@ rules! {
     NO_SAFE_MODE "LM0605" "no-safe-mode" Warning "modes from which a failure closes the ways to every safe one"
     SENSOR_WITHOUT_FAILS "LM0606" "sensor-without-fails" Warning "a sensor in use that does not say how it fails"
     MODE_MISSED "LM0607" "mode-missed" Info "a mode that is never reached by a machine that starts with a failed sensor"
+    INTERMITTENT_FAILURE "LM0608" "intermittent-failure" Info "two modes between which a failure that comes and goes drives to and fro"
 
     BAD_PLACEMENT "LM0801" "bad-placement" Error "a scenario whose bodies overlap at the start"
     NO_SCENARIO "LM0802" "no-scenario" Error "a file without a scenario to run"

@@ -125,13 +125,13 @@ impl Subject<'_> {
 }
 
 /// Whether nobody would expect that an exit of one of the diagram's own modes is lost: it looks at a sensor that has not
-/// failed, and compares none that has. If the mode says what to do about the failure, the author knew; but once the
+/// failed, and compares none that has, nor asks whether one has. If the mode says what to do about the failure, the author knew; but once the
 /// failure is known it was to be done.
 fn is_surprising(diagram: &Diagram, views: &[View], faults: &FaultSet, (mode, index): (Id<Mode>, usize)) -> bool {
     let has_failed = |sensor: &Id<Sensor>| faults.iter().any(|(failed, _)| failed == sensor);
     let View { exits, answers } = &views[mode.index()];
-    let Looks { compared, fused, .. } = &exits[index];
-    let shows_it = compared.iter().any(has_failed) || compared.iter().chain(fused).all(has_failed);
+    let Looks { compared, fused, failed, .. } = &exits[index];
+    let shows_it = compared.iter().chain(failed).any(has_failed) || compared.iter().chain(fused).all(has_failed);
     let is_answered = |(sensor, how): &(Id<Sensor>, Fault)| *how != Fault::Reported && answers.contains(sensor);
     !shows_it && !faults.iter().any(is_answered) && !diagram.modes[mode].inherited
 }

@@ -14,6 +14,7 @@ mod formula;
 mod fusion;
 mod guards;
 mod inhibited;
+mod intermittent;
 mod known;
 mod left_at_once;
 mod machine;
@@ -127,6 +128,7 @@ pub(super) fn check(scene: &Scene<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Op
     one_tick::check(scene, &modes, findings);
     oscillation::check(scene, &modes, findings);
     swapping::check(scene, &modes, findings);
+    intermittent::check(scene, &modes, findings);
     modes
 }
 
