@@ -13,6 +13,7 @@ use crate::driver::{Analysis, NotCompiled};
 use crate::emit::{Float, Options};
 use crate::ir::Diagram;
 use crate::view;
+use crate::view::chart::{self, Chart};
 
 /// Compile behaviors and networks to code, or to what other tools read.
 #[derive(Args)]
@@ -22,7 +23,8 @@ Code is made of the behaviors and networks that the files declare, and of the be
 Examples:
   lmslc build stdlib/behaviors/obstacle_manipulation.msd -o manipulation.rs
   lmslc build stdlib/networks/obstacle_id.fsfn --float f32
-  lmslc build stdlib/behaviors --emit promela --faults 1 -o models/")]
+  lmslc build stdlib/behaviors --emit promela --faults 1 -o models/
+  lmslc build stdlib/behaviors/obstacle_manipulation.msd --emit svg -o fig7.svg")]
 pub(super) struct Build {
     /// Files, folders, or `-` for standard input
     #[arg(required = true)]
@@ -42,7 +44,8 @@ pub(super) struct Build {
     /// Promela: the most sensors that fail while the model runs [default: 0]
     #[arg(long = "faults", value_name = "K")]
     up_to: Option<usize>,
-    /// Where to write: a file, or for Promela a folder where there are several behaviors; otherwise standard output
+    /// Where to write: a file, or for models and pictures a folder where there are several behaviors; otherwise standard
+    /// output
     #[arg(short, long, value_name = "PATH")]
     output: Option<String>,
 }
@@ -53,6 +56,14 @@ enum Emit {
     Rust,
     /// A model for the model checker Spin, over all flags that readings can set together
     Promela,
+    /// What the compiler understood: names resolved, numbers in SI, `extends` followed
+    Ir,
+    /// A picture of each mode switching diagram
+    Svg,
+    /// Each mode switching diagram for Graphviz
+    Dot,
+    /// Each mode switching diagram for Mermaid
+    Mermaid,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -74,7 +85,13 @@ impl Build {
         }
         match self.emit {
             Emit::Rust => self.write(&self.rust(&analysis, terminal)?, terminal)?,
-            Emit::Promela => self.models(&analysis, terminal)?,
+            Emit::Promela => {
+                self.of_diagrams(&analysis, "pml", terminal, |of| self.promela(&analysis, of, terminal))?;
+            }
+            Emit::Ir => self.write(&view::program(&analysis.program), terminal)?,
+            Emit::Svg => self.pictures(&analysis, "svg", chart::svg, terminal)?,
+            Emit::Dot => self.pictures(&analysis, "dot", chart::dot, terminal)?,
+            Emit::Mermaid => self.pictures(&analysis, "mmd", chart::mermaid, terminal)?,
         }
         Ok(super::CLEAN)
     }
@@ -87,6 +104,7 @@ impl Build {
         let elsewhere = match self.emit {
             Emit::Rust => of_promela.as_slice(),
             Emit::Promela => of_rust.as_slice(),
+            Emit::Ir | Emit::Svg | Emit::Dot | Emit::Mermaid => &[of_rust.as_slice(), &of_promela].concat(),
         };
         elsewhere.iter().find(|(_, is_given)| *is_given).map(|(flag, _)| *flag)
     }
@@ -114,8 +132,15 @@ impl Build {
         })
     }
 
-    /// Writes the models of the behaviors that the files declare: into one text, or each into a file of its name.
-    fn models(&self, analysis: &Analysis, terminal: &Terminal) -> Result<(), u8> {
+    /// Writes something of the behaviors that the files declare: all into one text where that has a meaning, or each into
+    /// a file of its name.
+    fn of_diagrams(
+        &self,
+        analysis: &Analysis,
+        extension: &str,
+        terminal: &Terminal,
+        make: impl Fn(&[Id<Diagram>]) -> Result<String, u8>,
+    ) -> Result<(), u8> {
         let is_asked = |diagram: &Diagram| analysis.roots.contains(&diagram.symbol.span.file);
         let diagrams = analysis.program.diagrams.iter().filter(|(_, diagram)| is_asked(diagram));
         let diagrams: Vec<_> = diagrams.map(|(id, _)| id).collect();
@@ -124,7 +149,7 @@ impl Build {
         }
         let is_folder = |path: &&String| diagrams.len() > 1 || Path::new(path).is_dir();
         let Some(folder) = self.output.as_ref().filter(is_folder) else {
-            return self.write(&self.promela(analysis, &diagrams, terminal)?, terminal);
+            return self.write(&make(&diagrams)?, terminal);
         };
         let name = |id: &Id<Diagram>| analysis.program.diagrams[*id].symbol.name.as_str();
         let mut names = BTreeSet::new();
@@ -135,8 +160,24 @@ impl Build {
         }
         files::make_folder(folder, terminal)?;
         diagrams.iter().try_for_each(|id| {
-            let path = Path::new(folder).join(format!("{}.pml", name(id)));
-            files::write(&path.to_string_lossy(), self.promela(analysis, &[*id], terminal)?.as_bytes(), terminal)
+            let path = Path::new(folder).join(format!("{}.{extension}", name(id)));
+            files::write(&path.to_string_lossy(), make(&[*id])?.as_bytes(), terminal)
+        })
+    }
+
+    fn pictures(
+        &self,
+        analysis: &Analysis,
+        extension: &str,
+        draw: fn(&Chart) -> String,
+        terminal: &Terminal,
+    ) -> Result<(), u8> {
+        self.of_diagrams(analysis, extension, terminal, |diagrams| match diagrams {
+            [diagram] => Ok(draw(&Chart::new(&analysis.program, &analysis.sources, *diagram))),
+            several => {
+                let message = format!("there are {} behaviors, and each is a picture of its own", several.len());
+                Err(terminal.fail(&message, Some("name a folder for them, with `--output`")))
+            }
         })
     }
 

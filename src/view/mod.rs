@@ -1,10 +1,27 @@
-//! What other eyes and tools read: a run as a figure, a diagram as a model.
+//! What other eyes and tools read: runs and diagrams as pictures, diagrams as models, programs as listings.
 //!
 //! Imports: analysis, base, ir, trace
-//! Crates: –
+//! Crates: dagre
 
+pub mod chart;
+mod listing;
 mod plot;
 mod promela;
+mod svg;
 
+pub use listing::program;
 pub use plot::plot;
 pub use promela::promela;
+
+use crate::ir::Comparison;
+
+fn sign(comparison: Comparison) -> &'static str {
+    match comparison {
+        Comparison::Less => "<",
+        Comparison::LessOrEqual => "<=",
+        Comparison::Greater => ">",
+        Comparison::GreaterOrEqual => ">=",
+        Comparison::Equal => "==",
+        Comparison::NotEqual => "!=",
+    }
+}

@@ -702,6 +702,29 @@ fn build_writes_where_it_is_told_to() {
 }
 
 #[test]
+fn build_draws_and_lists() {
+    let project = Project::new(&[("wander.msd", CLEAN), ("more/ramble.msd", &CLEAN.replace("wander", "ramble"))]);
+    let build = |arguments: &[&str]| project.run(&[&["build"], arguments].concat());
+    for (kind, extension, begins) in
+        [("svg", "svg", "<svg "), ("dot", "dot", "digraph \"wander\""), ("mermaid", "mmd", "stateDiagram-v2\n")]
+    {
+        let shown = build(&["wander.msd", "--emit", kind]);
+        assert_eq!((shown.code, shown.err.as_str()), (0, ""), "{kind}");
+        assert!(shown.out.starts_with(begins), "{}", shown.out);
+        assert_eq!(build(&["wander.msd", "more", "--emit", kind, "-o", "pictures"]).code, 0);
+        assert_eq!(project.read(&format!("pictures/wander.{extension}")), shown.out);
+        assert!(project.read(&format!("pictures/ramble.{extension}")).contains("ramble"));
+        let both = build(&["wander.msd", "more", "--emit", kind]);
+        assert_eq!((both.code, both.out.as_str()), (2, ""));
+        assert!(both.err.contains("there are 2 behaviors, and each is a picture of its own"), "{}", both.err);
+    }
+    let listing = build(&["wander.msd", "--emit", "ir"]);
+    assert!(listing.out.contains("\nbehavior wander on j5\n"), "{}", listing.out);
+    assert!(build(&["wander.msd", "--emit", "ir", "--float", "f32"]).err.contains("`--float` says nothing"));
+    assert!(build(&["wander.msd", "--emit", "dot", "--faults", "1"]).err.contains("`--faults` says nothing"));
+}
+
+#[test]
 fn build_says_what_keeps_it_from_building() {
     let project = Project::new(&[
         ("wander.msd", CLEAN),

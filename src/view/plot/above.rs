@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::scale::Scale;
 use super::sheet::{Panel, Sheet};
-use super::svg::{Anchor, Px, Svg, width_of};
 use crate::trace::{Footprint, Signal, Trace};
+use crate::view::svg::{Anchor, Px, Svg, width_of};
 
 /// The lowest and the highest view, px.
 const HEIGHT: (f64, f64) = (150.0, 400.0);

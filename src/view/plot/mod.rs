@@ -5,14 +5,13 @@ mod above;
 mod panels;
 mod scale;
 mod sheet;
-mod svg;
 
 #[cfg(test)]
 mod samples;
 
+use super::svg::{self, Escaped, Px, Svg};
 use crate::trace::{ModeChange, Trace, seconds};
 use sheet::Sheet;
-use svg::{Escaped, Px, Svg};
 
 /// Colors that differ for every kind of color vision (Okabe and Ito 2008), the lightest ones left out.
 const COLORS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];

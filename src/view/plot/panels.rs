@@ -3,8 +3,8 @@
 use super::COLORS;
 use super::scale::{Scale, curve, limits, steps};
 use super::sheet::{LEGEND_LINE, MODE_NAME, Panel, Sheet, WIDTH};
-use super::svg::{Anchor, Svg, width_of};
 use crate::trace::{Column, Signal, Trace, seconds};
+use crate::view::svg::{Anchor, Svg, width_of};
 
 /// The most curves in one panel of sensors.
 const CURVES: usize = COLORS.len();

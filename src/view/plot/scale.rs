@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::svg::Px;
+use crate::view::svg::Px;
 
 /// A linear map from a quantity to px.
 #[derive(Clone, Copy)]

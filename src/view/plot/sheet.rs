@@ -1,8 +1,8 @@
 //! The layout of a sheet: panels below each other, their names at the left, their legends at the right.
 
 use super::scale::Scale;
-use super::svg::{Anchor, Svg, width_of};
 use crate::trace::{Trace, seconds};
+use crate::view::svg::{Anchor, Svg, width_of};
 
 /// The width of a sheet, px.
 pub(super) const WIDTH: f64 = 1040.0;

@@ -3,7 +3,8 @@
 use super::names::{Kind, Names};
 use crate::analysis::modes::{Atom, Guards, Node, Operand, Past};
 use crate::base::{Id, Sources};
-use crate::ir::{Comparison, Diagram, Program, Sensor};
+use crate::ir::{Diagram, Program, Sensor};
+use crate::view::sign;
 
 /// A mode's conditions in Promela.
 pub(super) struct Expressions {
@@ -165,15 +166,4 @@ fn open(atom: &Atom, flag: &str, values: &[String]) -> Option<String> {
         _ => return None,
     };
     Some(format!("if :: {claimed} :: {denied} fi"))
-}
-
-fn sign(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Less => "<",
-        Comparison::LessOrEqual => "<=",
-        Comparison::Greater => ">",
-        Comparison::GreaterOrEqual => ">=",
-        Comparison::Equal => "==",
-        Comparison::NotEqual => "!=",
-    }
 }

@@ -1,0 +1,118 @@
+//! Pictures and listings of diagrams: nothing of the source is lost, and nothing lies upon something else.
+
+use lmslc::driver::Analysis;
+use lmslc::view::{
+    self,
+    chart::{self, Chart},
+};
+
+use crate::random_modes::{CART, FUSION, Random};
+use crate::support::{analyze_path, analyze_texts, report};
+
+const MANIPULATION: &str = "stdlib/behaviors/obstacle_manipulation.msd";
+
+/// A behavior with all that a picture shows.
+const ODD: &str = "
+robot cart {
+    sensor x: m in 0 .. 10 fails 0
+    sensor y: m in 0 .. 10 fails 0
+    action halt()
+    action go(speed: m/s)
+}
+behavior odd on cart {
+    flag near = x < 1 m
+    entry ahead
+    mode ahead {
+        go(1 m/s)
+        1: near and y < 5 m or (x > 3 m and // or so
+           held(y > 2 m, 3 s) and not failed(y)) -> rest
+        2: after 3 s -> again
+        3: y < 1 m -> parked
+    }
+    mode rest requires x, y else parked {
+        go(0.1 m/s)
+        on enter { halt() }
+        1: after 1 s -> ahead
+    }
+    final mode parked { halt() }
+}";
+
+fn charts(analysis: &Analysis) -> Vec<Chart> {
+    assert!(!analysis.has_errors(), "{}", report(analysis));
+    analysis.program.diagrams.ids().map(|id| Chart::new(&analysis.program, &analysis.sources, id)).collect()
+}
+
+#[test]
+fn a_diagram_for_other_tools() {
+    let [odd] = charts(&analyze_texts(&[("odd.msd", ODD)])).try_into().unwrap();
+    insta::assert_snapshot!(format!("{}\n{}", chart::dot(&odd), chart::mermaid(&odd)));
+}
+
+#[test]
+fn what_the_compiler_understood() {
+    insta::assert_snapshot!(view::program(&analyze_path(MANIPULATION).program));
+    let odd = view::program(&analyze_texts(&[("odd.msd", ODD)]).program);
+    for line in [
+        "        1: ((x < 1 and y < 5) or (x > 3 and held(y > 2, 3000000000 ns) and not failed(y))) -> rest",
+        "    mode rest requires x, y else parked",
+        "        on enter halt()",
+        "        2: after 3000000000 ns -> again",
+        "    final mode parked",
+    ] {
+        assert!(odd.lines().any(|other| other == line), "{line}\n{odd}");
+    }
+}
+
+/// A rectangle of a picture: left, top, right, bottom.
+type Area = [f64; 4];
+
+/// The modes of a picture, and its texts joined.
+fn drawn(svg: &str) -> (Vec<Area>, String) {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let number = |node: &roxmltree::Node<'_, '_>, name| node.attribute(name).unwrap().parse::<f64>().unwrap();
+    let of_class = |class: &'static str| {
+        let is_of = move |node: &roxmltree::Node<'_, '_>| {
+            node.has_tag_name("rect")
+                && node.attribute("class").unwrap_or_default().split(' ').any(|word| word == class)
+        };
+        document.descendants().filter(is_of)
+    };
+    let area = |node: roxmltree::Node<'_, '_>| {
+        let (x, y) = (number(&node, "x"), number(&node, "y"));
+        [x, y, x + number(&node, "width"), y + number(&node, "height")]
+    };
+    let texts = document.descendants().filter(|node| node.has_tag_name("text")).filter_map(|node| node.text());
+    (of_class("mode").map(area).collect(), texts.collect::<Vec<_>>().join(" "))
+}
+
+fn overlap(one: &Area, other: &Area) -> bool {
+    one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]
+}
+
+fn is_sound(chart: &Chart) {
+    let svg = chart::svg(chart);
+    assert_eq!(svg, chart::svg(chart), "the same picture twice");
+    let (modes, texts) = drawn(&svg);
+    assert_eq!(modes.len(), chart.modes.len());
+    for (index, mode) in modes.iter().enumerate() {
+        assert!(modes[..index].iter().all(|other| !overlap(mode, other)), "{svg}");
+    }
+    for arrow in &chart.arrows {
+        assert!(texts.contains(&arrow.condition), "{}\n{svg}", arrow.condition);
+    }
+    for mode in &chart.modes {
+        assert!(texts.contains(&mode.name) && mode.commands.iter().all(|command| texts.contains(command)), "{svg}");
+    }
+    assert_eq!(svg.matches("marker-end").count(), chart.arrows.len() + usize::from(chart.entry.is_some()));
+}
+
+#[test]
+fn a_picture_shows_all_and_covers_nothing() {
+    charts(&analyze_texts(&[("odd.msd", ODD)])).iter().for_each(is_sound);
+    charts(&analyze_path(MANIPULATION)).iter().for_each(is_sound);
+    let mut random = Random { state: 3, recalls: true };
+    for _ in 0..20 {
+        let text = format!("{CART}{}", random.behavior("b"));
+        charts(&analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)])).iter().for_each(is_sound);
+    }
+}
