@@ -20,7 +20,7 @@ behavior ram on j5 {
 }
 
 scenario mass_10 runs ram {
-    duration 7 s   seed 1
+    duration 7 s  seed 1
     place box crate mass 10 kg size (0.4 m, 0.6 m) at 0.75 m ahead
 
     expect always contact_force > 30 N within 5 s .. 7 s

@@ -11,7 +11,7 @@ import std.robots.j5
 
 /// Pushes the light box, refuses the heavy one (fig. 12).
 scenario manipulation runs obstacle_manipulation on j5 {
-    duration 10 s   tick 10 ms   seed 1
+    duration 10 s  tick 10 ms  seed 1
     place robot at (0 m, 0 m) heading 0 deg
     place box light mass 30 kg size (0.4 m, 0.6 m) at 0.75 m ahead
     place box heavy mass 90 kg size (0.4 m, 0.6 m) at 1.5 m ahead

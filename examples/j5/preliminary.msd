@@ -25,7 +25,7 @@ behavior watch on j5 {
 
 /// An empty floor: every detection is false.
 scenario empty_floor runs watch {
-    duration 12 s   seed 1
+    duration 12 s  seed 1
 
     expect preliminary_obstacle_id.forward_collision within 2.5 s .. 12 s
     expect never obstacle_id.forward_collision
@@ -33,7 +33,7 @@ scenario empty_floor runs watch {
 
 /// Light and heavy boxes are both found. Only the network with force tells them apart.
 scenario light_box runs watch {
-    duration 7 s   seed 1
+    duration 7 s  seed 1
     place box crate mass 30 kg size (0.4 m, 0.6 m) at 0.75 m ahead
 
     expect preliminary_obstacle_id.forward_collision within 4.5 s .. 5.5 s

@@ -21,7 +21,7 @@ property flags_agree: always forward_collision or not heavy_obstacle
 property no_endless_push: push leads to not push within 4 s
 
 /// Half a second after it stopped the robot backs up, and 1.5 s later it turns; the second timer may be a tick late.
-property backs_up:   stop leads to back_up within 500 ms
+property backs_up: stop leads to back_up within 500 ms
 property turns_away: stop leads to random_turn within 2.01 s
 
 /// The experiment again, with an eye on all of this.

@@ -42,21 +42,7 @@ fn standard_input() -> Result<String, FileError> {
 /// # Errors
 /// The exit code, where the arguments or the configuration are wrong; that has been reported.
 pub(super) fn analyze(paths: &[String], flags: Option<&AnalysisFlags>, terminal: &Terminal) -> Result<Analysis, u8> {
-    let mut roots = Vec::new();
-    for path in paths {
-        if path != "-" && Path::new(path).is_dir() {
-            let before = roots.len();
-            if let Err(error) = collect(Path::new(path), &mut roots) {
-                return Err(terminal.fail(&format!("the folder `{path}` cannot be read: {error}"), None));
-            }
-            if roots.len() == before {
-                let message = format!("the folder `{path}` holds no `.msd` or `.fsfn` file");
-                return Err(terminal.fail(&message, None));
-            }
-        } else {
-            roots.push(path.clone());
-        }
-    }
+    let roots = expand(paths, terminal)?;
     let levels = config::levels(roots.first().map_or("", String::as_str), terminal)?;
     // What is run watches its properties instead: one that is refuted may well be run, to see why.
     let mut options = Options { levels, verify: flags.is_some(), ..Options::default() };
@@ -65,6 +51,29 @@ pub(super) fn analyze(paths: &[String], flags: Option<&AnalysisFlags>, terminal:
     }
     let stdin = roots.iter().any(|root| root == "-").then(standard_input);
     Ok(driver::analyze(&Disk { stdin }, &roots, &options))
+}
+
+/// Paths with the files of folders in their places.
+///
+/// # Errors
+/// The exit code, where a folder cannot be read or holds no file of the language; that has been reported.
+pub(super) fn expand(paths: &[String], terminal: &Terminal) -> Result<Vec<String>, u8> {
+    let mut files = Vec::new();
+    for path in paths {
+        if path != "-" && Path::new(path).is_dir() {
+            let before = files.len();
+            if let Err(error) = collect(Path::new(path), &mut files) {
+                return Err(terminal.fail(&format!("the folder `{path}` cannot be read: {error}"), None));
+            }
+            if files.len() == before {
+                let message = format!("the folder `{path}` holds no `.msd` or `.fsfn` file");
+                return Err(terminal.fail(&message, None));
+            }
+        } else {
+            files.push(path.clone());
+        }
+    }
+    Ok(files)
 }
 
 /// Analyzes as [`analyze`] does and shows what was found, for commands that go on from there.
@@ -112,7 +121,7 @@ pub(super) fn make_folder(path: &str, terminal: &Terminal) -> Result<(), u8> {
         .map_err(|error| terminal.fail(&format!("the folder `{path}` cannot be made: {error}"), None))
 }
 
-/// Reads a file that is not of the language.
+/// Reads a file.
 ///
 /// # Errors
 /// The exit code; the reason has been reported.

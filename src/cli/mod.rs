@@ -1,7 +1,7 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
 //! Imports: analysis, base, diag, driver, emit, interp, ir, plan, report, sim, view
-//! Crates: clap, rayon, serde, toml
+//! Crates: clap, rayon, serde, similar, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
 mod build;
@@ -14,6 +14,7 @@ mod faults;
 mod files;
 mod fix;
 mod flags;
+mod fmt;
 mod quantity;
 mod run;
 mod script;
@@ -93,6 +94,8 @@ enum Command {
     Eval(eval::Eval),
     /// Show what is left of every event under each set of failed sensors
     Faults(faults::Faults),
+    /// Lay files out in the one canonical way
+    Fmt(fmt::Fmt),
     /// Explain a diagnostic, by its code or its name
     Explain(explain::Explain),
 }
@@ -108,6 +111,7 @@ pub fn main() -> ExitCode {
         Command::Eval(eval) => eval.execute(&terminal),
         Command::Faults(faults) => faults.execute(&terminal),
         Command::Build(build) => build.execute(&terminal),
+        Command::Fmt(fmt) => fmt.execute(&terminal),
         Command::Explain(explain) => Ok(explain.execute(&terminal)),
     };
     // Whether a command came to its end or was cut short, its answer is an exit code.

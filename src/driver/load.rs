@@ -173,6 +173,15 @@ fn own(path: String) -> String {
     if path.starts_with(LIBRARY) { format!("./{path}") } else { path }
 }
 
+/// A file in the canonical layout.
+///
+/// # Errors
+/// The findings of a file that does not parse.
+pub fn format(sources: &Sources, file: FileId) -> Result<String, Vec<Diagnostic>> {
+    let text = sources.get(file).map_or("", |source| &source.text);
+    syntax::format(file, kind(sources.path(file)).unwrap_or(FileKind::Modes), text)
+}
+
 /// The kind of file a path names.
 fn kind(path: &str) -> Option<FileKind> {
     match path.rsplit_once('.').map(|(_, ending)| ending) {

@@ -9,7 +9,7 @@ mod load;
 
 pub use compile::NotCompiled;
 pub use library::LIBRARY;
-pub use load::{FileError, Files};
+pub use load::{FileError, Files, format};
 
 use crate::base::{FileId, Sources};
 use crate::diag::{self, Diagnostic, Levels, Rule, Severity, Suppressions};

@@ -1,9 +1,11 @@
-//! Text to syntax tree: parsing with recovery.
+//! Text to syntax tree, by parsing with recovery, and to text in one canonical layout.
 //!
 //! Imports: base, diag
 //! Crates: pest, pest_derive
 
 pub mod ast;
+mod format;
 mod parse;
 
+pub use format::format;
 pub use parse::{KEYWORDS, parse};

@@ -120,10 +120,10 @@ pub mod obstacle_id {
         //     14: (neg,  _,    med )
         //     15: (_,    _,    high)
         //   detractor
-        //     17: (neg,  pos,  low )
-        //     18: (zero, zero, low )
-        //     19: (zero, pos,  low )
-        //     20: (pos,  _,    low )
+        //     17: (neg,  pos,  low)
+        //     18: (zero, zero, low)
+        //     19: (zero, pos,  low)
+        //     20: (pos,  _,    low)
         let forward_collision = Strength {
             contributor: kernel::maximum(
                 kernel::maximum(

@@ -577,6 +577,30 @@ fn coverage_counts_the_rules_that_decide() {
     assert!(missed.iter().any(|missed| missed["text"] == "else -> stop"), "{missed:?}");
 }
 
+// fmt
+
+#[test]
+fn fmt_lays_files_out() {
+    let rough = CLEAN.replace(": after", " :  after");
+    let project =
+        Project::new(&[("a/rough.msd", &rough), ("a/wander.msd", CLEAN), ("a/none.txt", "x"), ("wrong.msd", "mode {")]);
+    let checked = project.run(&["fmt", "--check", "a"]);
+    assert_eq!((checked.code, checked.err.as_str()), (1, "1 file would be formatted, 1 left as they are\n"));
+    assert!(checked.out.starts_with("--- a/rough.msd\n+++ a/rough.msd\n@@ "), "{}", checked.out);
+    assert_eq!(project.read("a/rough.msd"), rough, "nothing is written");
+    let written = project.run(&["fmt", "a"]);
+    assert_eq!((written.code, written.out.as_str()), (0, ""));
+    assert_eq!(project.read("a/rough.msd"), CLEAN);
+    assert_eq!(project.run(&["fmt", "--check", "a"]).code, 0);
+    let piped = project.run_with(&["fmt", "-"], rough.as_bytes());
+    assert_eq!((piped.code, piped.out.as_str()), (0, CLEAN));
+    let wrong = project.run(&["fmt", "wrong.msd", "a"]);
+    assert_eq!(wrong.code, 1);
+    assert!(wrong.err.contains("error[LM0101]") && wrong.err.contains("1 file not understood"), "{}", wrong.err);
+    assert_eq!(project.read("wrong.msd"), "mode {", "what is not understood is left alone");
+    assert_eq!(project.run(&["fmt", "missing.msd"]).code, 2);
+}
+
 // eval
 
 #[test]

@@ -16,6 +16,7 @@ mod examples;
 mod fault_table;
 mod fault_words;
 mod faults;
+mod format;
 mod fuzzy_findings;
 mod golden;
 mod golden_reader;

@@ -22,7 +22,8 @@ mod trials;
 use super::ast::{File, FileKind, Item};
 use crate::base::{FileId, Span};
 use crate::diag::{self, Diagnostic, rules};
-use grammar::{Pair, Parts, Rule};
+use grammar::Parts;
+pub(super) use grammar::{Pair, Rule};
 use layout::Layout;
 use recovery::Recovery;
 use scan::Scan;
@@ -102,6 +103,18 @@ pub fn parse(file: FileId, kind: FileKind, text: &str) -> (File, Vec<Diagnostic>
     let mut diagnostics = recovery.tree.diagnostics;
     diag::sort(&mut diagnostics);
     (File { kind, items, span: Span::new(file, 0, text.len() as u32) }, diagnostics)
+}
+
+/// What the grammar matches of a text that parses: each declaration with the place where its text begins.
+pub(super) fn declarations(text: &str) -> Vec<(usize, Pair<'_>)> {
+    let scan = Scan::new(text);
+    let layout = Layout::new(text, &scan);
+    let matched = |piece: std::ops::Range<usize>| {
+        let (first, last) = (layout.tokens.get(piece.start)?, layout.tokens.get(piece.end.checked_sub(1)?)?);
+        let (start, end) = (first.start as usize, last.end as usize);
+        Some((start, grammar::run(Rule::only_declaration, text.get(start..end)?).ok()?))
+    };
+    layout.declarations().into_iter().filter_map(matched).collect()
 }
 
 impl Tree<'_> {
