@@ -15,6 +15,7 @@ mod files;
 mod fix;
 mod flags;
 mod fmt;
+mod new;
 mod quantity;
 mod run;
 mod script;
@@ -82,6 +83,8 @@ enum When {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Make a project that checks, runs and tests at once
+    New(new::New),
     /// Report everything that is wrong or doubtful in files
     Check(check::Check),
     /// Compile behaviors and networks to code, or to what other tools read
@@ -105,6 +108,7 @@ pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let terminal = Terminal::new(arguments.color, arguments.least());
     let code = match arguments.command {
+        Command::New(new) => new.execute(&terminal),
         Command::Check(check) => check.execute(&terminal),
         Command::Run(run) => run.execute(&terminal),
         Command::Test(test) => test.execute(&terminal),

@@ -11,6 +11,8 @@ pub use compile::NotCompiled;
 pub use library::LIBRARY;
 pub use load::{FileError, Files, format};
 
+pub use crate::syntax::is_name;
+
 use crate::base::{FileId, Sources};
 use crate::diag::{self, Diagnostic, Levels, Rule, Severity, Suppressions};
 use crate::{analysis, ir, plan, sema, sim, verify};

@@ -577,6 +577,36 @@ fn coverage_counts_the_rules_that_decide() {
     assert!(missed.iter().any(|missed| missed["text"] == "else -> stop"), "{missed:?}");
 }
 
+// new
+
+#[test]
+fn new_makes_a_project_that_works_at_once() {
+    let project = Project::new(&[]);
+    let made = project.run(&["new", "my-patrol"]);
+    assert_eq!((made.code, made.out.as_str()), (0, ""));
+    assert!(made.err.starts_with("made `my-patrol`; next: cd my-patrol && "), "{}", made.err);
+    for arguments in [
+        ["check", "--deny", "warnings", "my-patrol"].as_slice(),
+        &["test", "my-patrol"],
+        &["run", "my-patrol/scenarios.msd", "box_ahead"],
+        &["build", "my-patrol/my_patrol.msd"],
+        &["fmt", "--check", "my-patrol"],
+    ] {
+        let answer = project.run(arguments);
+        assert_eq!(answer.code, 0, "{arguments:?}\n{}{}", answer.out, answer.err);
+    }
+    assert!(project.read("my-patrol/lmsl.toml").contains("[levels]"));
+    assert!(project.read("my-patrol/.github/workflows/behavior.yml").contains("lmslc test ."));
+    let again = project.run(&["new", "my-patrol"]);
+    assert_eq!(again.code, 2);
+    assert!(again.err.contains("`my-patrol` exists already"), "{}", again.err);
+    for wrong in ["behavior", "7up", "a.b", "-", ".."] {
+        let answer = project.run(&["new", "--", wrong]);
+        assert_eq!(answer.code, 2, "{wrong}: {}", answer.err);
+    }
+    assert_eq!(project.run(&["new", "x", "--robot", "r2d2"]).code, 2);
+}
+
 // fmt
 
 #[test]

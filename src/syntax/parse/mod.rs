@@ -82,6 +82,12 @@ pub const KEYWORDS: &[&str] = &[
     "world",
 ];
 
+/// Whether a text is a name, and no keyword.
+pub fn is_name(text: &str) -> bool {
+    let is_word = matches!(&*Scan::new(text).tokens, [token] if token.kind == scan::Kind::Word && token.end as usize == text.len());
+    is_word && text != "_" && KEYWORDS.binary_search(&text).is_err()
+}
+
 /// Parses a file of either kind. Total: any text gives a tree and findings. Linear in the text.
 ///
 /// Raises LM0101, LM0102, LM0103, LM0104 and, for options that are said twice, LM0310.
