@@ -7,7 +7,19 @@ use quote::{ToTokens, quote};
 
 /// A line of comment where a statement may stand. Tokens have no comments, so it is a macro until it is printed.
 pub(super) fn comment(text: &str) -> TokenStream {
+    let text = visible(text);
     quote! { __comment!(#text); }
+}
+
+/// The user's text, so that what ends a line, cannot be seen or turns the direction of writing shows what it is.
+pub(super) fn visible(text: &str) -> String {
+    let shown = text.chars().map(|letter| match letter {
+        '\t' => "    ".to_owned(),
+        '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => letter.escape_unicode().to_string(),
+        letter if letter.is_control() => letter.escape_unicode().to_string(),
+        letter => letter.to_string(),
+    });
+    shown.collect()
 }
 
 /// A blank line where a statement or an item may stand.
@@ -35,10 +47,10 @@ pub(super) fn doc(paragraphs: &[&str]) -> TokenStream {
 fn tamed(text: &str) -> String {
     let mut in_code = false;
     let lines = text.trim().lines().map(|line| {
-        let line = line.trim_end();
+        let line = visible(line.trim_end());
         let bare = line.trim_start();
         let indented = line.len() - bare.len();
-        let line = if indented > 3 { &line[indented - 3..] } else { line };
+        let line = if indented > 3 { &line[indented - 3..] } else { line.as_str() };
         if !bare.starts_with("```") {
             return line.to_owned();
         }
@@ -130,6 +142,14 @@ mod tests {
         let text = print(&quote! { #doc fn f() { #remark g(); } #blank fn g() { #long_remark } });
         let expected = "/// One.\n///\n///    two\n///\n/// ```text\n/// x\n/// ```\nfn f() {\n    // a \"b\" // c\n    g();\n}\n\nfn g() {\n";
         assert_eq!(text, format!("{expected}    // {}\n}}\n", long.trim()));
+    }
+
+    #[test]
+    fn the_users_text_stays_on_its_line() {
+        assert_eq!(visible("a\nfn b()\u{202e}\r\té"), "a\\u{a}fn b()\\u{202e}\\u{d}    é");
+        let (doc, remark) = (doc(&["One\u{2067}.\n\tTwo"]), comment("a\rb"));
+        let text = print(&quote! { #doc fn f() { #remark } });
+        assert_eq!(text, "/// One\\u{2067}.\n///    Two\nfn f() {\n    // a\\u{d}b\n}\n");
     }
 
     #[test]
