@@ -2,34 +2,38 @@
 
 use std::collections::BTreeSet;
 use std::convert::Infallible;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
 
 use lmslc::base::{Sources, Span};
 use lmslc::driver::{Analysis, NotCompiled};
 use lmslc::emit::{Float, LINTS, Options};
+use lmslc::plan::{Code, Input};
 use lmslc::sema;
 use lmslc::syntax::{ast::FileKind, parse};
 
-use crate::emit_harness::{Case, compile, expect_of_machine, expect_of_network, run, write_crate};
+use crate::emit_harness::{
+    Case, SINGLE, Tick, Trials, compile, expect_of_machine, expect_of_network, run, says_the_same, write_crate,
+};
 use crate::emit_programs::{Random, program};
 use crate::support::{analyze_path, analyze_texts, clean, fences, files_below, root};
 
 /// Every file of the library and the examples that something can be emitted of, and random programs.
-static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
-    let options = Options::default();
+static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| cases(&Options::default(), 0..55));
+
+fn cases(options: &Options, seeds: Range<u64>) -> Vec<Case> {
     let files = [files_below("stdlib", &["msd", "fsfn"]), files_below("examples", &["msd", "fsfn"])].concat();
     let files = files.into_iter().filter_map(|path| {
         let analysis = analyze_path(&path);
-        analysis.rust(&options).is_ok().then(|| Case::new(&path, &analysis, &options))
+        analysis.rust(options).is_ok().then(|| Case::new(&path, &analysis, options))
     });
-    let random = (0..55).map(|seed| {
+    let random = seeds.map(|seed| {
         let (fusion, modes) = program(seed);
-        let analysis = only_lowered(&fusion, &modes);
-        Case::new(&format!("Random program {seed}."), &analysis, &options)
+        Case::new(&format!("Random program {seed}."), &only_lowered(&fusion, &modes), options)
     });
     files.chain(random).collect()
-});
+}
 
 /// A `b.msd` that imports an `n.fsfn`, without the checks, which take their time where terms are smooth.
 fn only_lowered(fusion: &str, modes: &str) -> Analysis {
@@ -46,43 +50,62 @@ fn only_lowered(fusion: &str, modes: &str) -> Analysis {
     Analysis { roots: vec![b], sources, units, program, findings, proved: 0, counterexamples: Vec::new() }
 }
 
-/// Compiles all cases with some flags, and compares what they do with what the interpreter does.
-fn compare(folder: &Path, flags: &[&str]) {
+/// What the interpreter does in each plan of a case.
+type Expected<'a> = Vec<(&'a Case, Vec<Tick>)>;
+
+/// Compiles cases with some flags and runs them; for each plan, what the interpreter does and what it answers.
+fn answers<'a>(
+    folder: &Path,
+    cases: &'a [Case],
+    flags: &[&str],
+    trials: fn(&Code, &[Input]) -> Trials,
+) -> Vec<(&'a Case, Vec<(Tick, String)>)> {
     let library = ["lib.rs", "--crate-type", "lib", "--crate-name", "emitted"];
     compile("rustc", folder, &[&library, flags].concat()).unwrap_or_else(|complaint| panic!("{complaint}"));
     let runner = ["main.rs", "--crate-name", "runner", "--extern", "emitted=libemitted.rlib"];
     compile("rustc", folder, &[&runner, flags].concat()).unwrap_or_else(|complaint| panic!("{complaint}"));
-    let (mut random, mut words) = (Random(11), Vec::new());
-    let mut expected = Vec::new();
-    for case in CASES.iter() {
+    let (mut random, mut words, mut expected) = (Random(11), Vec::new(), Expected::new());
+    for case in cases {
         for plan in &case.networks {
-            let lines = expect_of_network(plan, 300, &mut random, &mut words);
-            expected.extend(lines.into_iter().map(|line| (case, line, None)));
+            let trials = trials(&plan.code, &plan.inputs);
+            expected.push((case, expect_of_network(plan, &trials, 300, &mut random, &mut words)));
         }
         for plan in &case.diagrams {
-            let ticks = expect_of_machine(plan, 1500, &mut random, &mut words);
-            expected.extend(ticks.into_iter().map(|tick| (case, tick.line, Some(tick.dwell))));
+            let trials = trials(&plan.code, &plan.inputs);
+            expected.push((case, expect_of_machine(plan, &trials, 1500, &mut random, &mut words)));
         }
     }
-    let answers = run(&folder.join("runner"), &words);
-    assert_eq!(answers.len(), expected.len());
-    let mut timed = 0;
-    for (answer, (case, line, dwell)) in answers.iter().zip(&expected) {
-        let (answer, state) = answer.split_once('|').unwrap_or((answer, ""));
-        assert_eq!(answer, line, "{}\n{state}\n{}", case.title, case.code);
-        // The time in the mode, not what a stopwatch says.
-        let state = state.replace("running: true, elapsed", "").replace("running: false, elapsed", "");
-        let elapsed = state.split_once("elapsed: ").map(|(_, rest)| rest.split([' ', ',']).next().unwrap());
-        if let (Some(elapsed), Some(dwell)) = (elapsed, dwell) {
-            let elapsed: u64 = elapsed.parse().unwrap();
-            let narrow = elapsed == u64::from(u32::MAX) && *dwell > elapsed;
-            assert!(narrow || elapsed == *dwell, "{}: {state} after {dwell} ns", case.title);
-            timed += 1;
+    let mut lines = run(&folder.join("runner"), &words).into_iter();
+    let answered = expected.into_iter().map(|(case, ticks)| {
+        (case, ticks.into_iter().map(|tick| (tick, lines.next().expect("a line for every tick"))).collect())
+    });
+    let answered = answered.collect();
+    assert_eq!(lines.next(), None);
+    answered
+}
+
+/// Compares what emitted code does with what the interpreter does.
+fn compare(folder: &Path, flags: &[&str]) {
+    let (mut distinct, mut count, mut timed) = (BTreeSet::new(), 0, 0);
+    for (case, ticks) in answers(folder, &CASES, flags, Trials::critical) {
+        for (Tick { line, dwell, .. }, answer) in ticks {
+            let (answer, state) = answer.split_once('|').unwrap_or((&answer, ""));
+            assert_eq!(answer, line, "{}\n{state}\n{}", case.title, case.code);
+            // The time in the mode, not what a stopwatch says.
+            let state = state.replace("running: true, elapsed", "").replace("running: false, elapsed", "");
+            let elapsed = state.split_once("elapsed: ").map(|(_, rest)| rest.split([' ', ',']).next().unwrap());
+            if let (Some(elapsed), Some(dwell)) = (elapsed, dwell) {
+                let elapsed: u64 = elapsed.parse().unwrap();
+                let narrow = elapsed == u64::from(u32::MAX) && dwell > elapsed;
+                assert!(narrow || elapsed == dwell, "{}: {state} after {dwell} ns", case.title);
+                timed += 1;
+            }
+            count += 1;
+            distinct.insert((&case.title, line));
         }
     }
     // The programs do something: modes change, events set and clear, commands have arguments, timers run.
-    let distinct: BTreeSet<_> = expected.iter().map(|(case, line, _)| (&case.title, line)).collect();
-    assert!(expected.len() > 80_000 && distinct.len() > 30_000 && timed > 10_000, "{} {timed}", distinct.len());
+    assert!(count > 80_000 && distinct.len() > 30_000 && timed > 10_000, "{count} {} {timed}", distinct.len());
 }
 
 #[test]
@@ -93,6 +116,24 @@ fn emitted_code_agrees_with_the_interpreter_to_the_last_bit() {
     // Checked arithmetic would stop at an overflow.
     compare(folder.path(), &["-Copt-level=0", "-Coverflow-checks=on", "-Cdebuginfo=0"]);
     compare(folder.path(), &["-Copt-level=3", "-Cdebuginfo=0"]);
+}
+
+#[test]
+fn single_precision_agrees_but_for_rounding() {
+    let cases = cases(&Options { float: Float::F32, ..Options::default() }, 0..25);
+    let folder = tempfile::tempdir().unwrap();
+    write_crate(&cases, folder.path());
+    let (mut count, mut rounded) = (0, 0);
+    for (case, ticks) in answers(folder.path(), &cases, &["-Copt-level=0", "-Cdebuginfo=0"], Trials::single) {
+        // What rounding has decided once may be remembered.
+        for (Tick { line, .. }, answer) in ticks.into_iter().take_while(|(tick, _)| !tick.is_close) {
+            let (answer, _) = answer.split_once('|').unwrap_or((&answer, ""));
+            assert!(says_the_same(answer, &line, SINGLE), "{}\n{answer}\n{line}\n{}", case.title, case.code);
+            rounded += u64::from(answer != line);
+            count += 1;
+        }
+    }
+    assert!(count > 10_000 && rounded > 1_000, "{rounded} of {count}");
 }
 
 #[test]
@@ -109,10 +150,12 @@ fn clippy_finds_nothing_but_what_is_named() {
 }
 
 /// A program for the bare machine that runs cases on numbers nobody knows, and in which a panic is a function that
-/// is not there. Smooth shapes call `libm`, which is not ours.
-fn bare(folder: &Path, deliberate: &str) -> Result<(), String> {
-    let exact: Vec<_> = CASES.iter().filter(|case| !case.code.contains("libm::")).take(30).cloned().collect();
-    write_crate(&exact, folder);
+/// is not there. What smooth shapes call in `libm`, which is not ours, is imitated.
+fn write_bare(cases: &[Case], folder: &Path) {
+    let of_libm = ["exp(x: f64)", "pow(x: f64, _: f64)", "fabs(x: f64)", "cos(x: f64)", "sqrt(x: f64)"];
+    let of_libm = of_libm.map(|name| format!("#[inline(never)] pub fn {name} -> f64 {{ core::hint::black_box(x) }}\n"));
+    std::fs::write(folder.join("libm.rs"), format!("#![no_std]\n{}", of_libm.concat())).unwrap();
+    write_crate(cases, folder);
     let mut text = "#![no_std]
         #![no_main]
         extern crate emitted;
@@ -125,36 +168,43 @@ fn bare(folder: &Path, deliberate: &str) -> Result<(), String> {
         fn any<T>() -> T { unsafe { black_box(core::mem::MaybeUninit::<T>::zeroed()).assume_init() } }\n"
         .to_owned();
     let mut calls = String::new();
-    for (number, case) in exact.iter().enumerate() {
+    for (number, case) in cases.iter().enumerate() {
         for (index, driver) in case.bare_drivers(&format!("emitted::case_{number}")).into_iter().enumerate() {
             calls += &format!("case_{number}_{index}();\n");
             text += &format!("#[inline(never)] fn case_{number}_{index}() {{ {driver} }}\n");
         }
     }
     text += &format!(
-        "#[unsafe(no_mangle)] pub extern \"C\" fn _start() -> ! {{ {deliberate} {calls} loop {{ black_box(0); }} }}"
+        "#[unsafe(no_mangle)] pub extern \"C\" fn _start() -> ! {{
+            #[cfg(deliberate)] black_box(1 / any::<u32>());
+            {calls} loop {{ black_box(0); }}
+        }}"
     );
     std::fs::write(folder.join("bare.rs"), text).unwrap();
-    for level in ["z", "3"] {
-        let level = format!("-Copt-level={level}");
-        let flags = [level.as_str(), "-Coverflow-checks=on", "-Cpanic=abort", "-Ccodegen-units=1"];
-        let library = ["lib.rs", "--crate-type", "lib", "--crate-name", "emitted"];
-        compile("rustc", folder, &[&library, flags.as_slice()].concat())?;
-        let program = ["bare.rs", "--crate-name", "bare", "--extern", "emitted=libemitted.rlib"];
-        let link = ["-Clink-arg=-nostartfiles", "-Clink-arg=-lc", "-Aunused"];
-        compile("rustc", folder, &[&program, flags.as_slice(), &link].concat())?;
-    }
-    Ok(())
 }
 
 #[test]
 #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
 fn no_path_panics() {
     let folder = tempfile::tempdir().unwrap();
-    bare(folder.path(), "").unwrap_or_else(|complaint| panic!("{complaint}"));
-    // A division by what may be 0 is found.
-    let complaint = bare(folder.path(), "black_box(1 / any::<u32>());").unwrap_err();
-    assert!(complaint.contains("this_code_can_panic"), "{complaint}");
+    write_bare(&CASES[..40], folder.path());
+    for level in ["z", "3"] {
+        let level = format!("-Copt-level={level}");
+        let compile = |arguments: &[&str]| {
+            let flags = [level.as_str(), "-Coverflow-checks=on", "-Cpanic=abort", "-Ccodegen-units=1"];
+            compile("rustc", folder.path(), &[arguments, &flags].concat())
+        };
+        for [file, name] in [["libm.rs", "libm"], ["lib.rs", "emitted"]] {
+            compile(&[file, "--crate-type=lib", "--crate-name", name])
+                .unwrap_or_else(|complaint| panic!("{complaint}"));
+        }
+        let emitted = ["bare.rs", "--extern=emitted=libemitted.rlib", "-Ldependency=.", "-Aunused"];
+        let program = [emitted.as_slice(), &["-Clink-arg=-nostartfiles", "-Clink-arg=-lc"]].concat();
+        compile(&program).unwrap_or_else(|complaint| panic!("{complaint}"));
+        // A division by what may be 0 is found.
+        let complaint = compile(&[program.as_slice(), &["--cfg=deliberate"]].concat()).unwrap_err();
+        assert!(complaint.contains("this_code_can_panic"), "{complaint}");
+    }
 }
 
 /// Every name here is a keyword, is ours, or is another one in Rust's spelling.
@@ -220,7 +270,9 @@ fn any_name_any_float_and_serde_compile() {
     compile(&["serde.rs", "--crate-type", "proc-macro", "--crate-name", "serde"]);
     let features = ["--check-cfg=cfg(feature, values(\"state\"))", "--cfg=feature=\"state\""];
     let library = ["lib.rs", "--crate-type", "lib", "--extern", "serde=libserde.so", "--emit", "metadata"];
-    compile(&[library.as_slice(), &features].concat());
+    for edition in ["2021", "2024"] {
+        compile(&[library.as_slice(), &features, &["--edition", edition]].concat());
+    }
 }
 
 #[test]

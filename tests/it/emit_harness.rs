@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use lmslc::driver::Analysis;
@@ -132,7 +132,7 @@ fn drive_network(path: &str, code: &str, plan: &NetworkPlan) -> String {
     let interface = interface(code, &plan.name);
     let remembers = interface.fields.contains_key("Memory");
     let inputs =
-        plan.inputs.iter().map(|input| format!("{}: words.float(), ", input.name)).collect::<Vec<_>>().concat();
+        plan.inputs.iter().map(|input| format!("{}: words.float() as _, ", input.name)).collect::<Vec<_>>().concat();
     let (memory, extra) = if remembers {
         (format!("let mut memory = {path}::Memory::new();"), ", &mut memory, dt")
     } else {
@@ -141,7 +141,7 @@ fn drive_network(path: &str, code: &str, plan: &NetworkPlan) -> String {
     let lines = plan.events.iter().map(|event| {
         let name = &event.name;
         format!(
-            "write!(line, \" {{}}:{{:x}}:{{:x}}\", events.{name}, strengths.{name}.contributor.to_bits(), strengths.{name}.detractor.to_bits()).unwrap();\n"
+            "write!(line, \" {{}} {{}} {{}}\", events.{name}, bits(strengths.{name}.contributor), bits(strengths.{name}.detractor)).unwrap();\n"
         )
     });
     let lines = lines.collect::<Vec<_>>().concat();
@@ -174,15 +174,15 @@ fn drive_machine(path: &str, code: &str, plan: &Plan) -> String {
                 write!(inputs, "failed: {path}::Failed {{ {} }}, ", failed.collect::<Vec<_>>().concat()).unwrap();
             }
             "done" => inputs += "done, ",
-            name => write!(inputs, "{name}: readings[{}], ", position(name)).unwrap(),
+            name => write!(inputs, "{name}: readings[{}] as _, ", position(name)).unwrap(),
         }
     }
     let actions = interface.actions.iter().map(|action| {
         let parameters = &interface.functions[action];
         let declared = parameters.iter().map(|(name, kind)| format!("{name}: {kind}, ")).collect::<Vec<_>>().concat();
         let shown = parameters.iter().map(|(name, kind)| match kind.as_str() {
-            "bool" => format!("write!(self.0, \",{{}}\", {name}).unwrap();"),
-            _ => format!("write!(self.0, \",{{:x}}\", {name}.to_bits()).unwrap();"),
+            "bool" => format!("write!(self.0, \" {{}}\", {name}).unwrap();"),
+            _ => format!("write!(self.0, \" {{}}\", bits({name})).unwrap();"),
         });
         format!(
             "fn {action}(&mut self, {declared}) -> Result<(), Infallible> {{
@@ -232,6 +232,7 @@ pub fn write_crate(cases: &[Case], folder: &Path) {
             fn next(&mut self) -> u64 { u64::from_le_bytes(std::array::from_fn(|_| self.0.next().unwrap())) }
             fn float(&mut self) -> f64 { f64::from_bits(self.next()) }
         }
+        fn bits(number: impl Into<f64>) -> String { format!(\"{:#x}\", number.into().to_bits()) }
         fn main() {
             let mut bytes = Vec::new();
             std::io::stdin().read_to_end(&mut bytes).unwrap();
@@ -256,19 +257,26 @@ pub fn write_crate(cases: &[Case], folder: &Path) {
 
 /// Runs a compiler in a folder; its complaint if it fails.
 pub fn compile(compiler: &str, folder: &Path, arguments: &[&str]) -> Result<(), String> {
-    let common = ["--edition", "2024", "--cap-lints", "forbid"];
-    // What smooth shapes are computed by, as it was compiled for us.
     let beside = std::env::current_exe().unwrap().parent().unwrap().to_owned();
-    let libm = std::fs::read_dir(&beside).unwrap().map(|entry| entry.unwrap().path()).filter(|path| {
+    let own = folder.join("liblibm.rlib");
+    let libm = format!("libm={}", if own.exists() { own } else { libm(&beside) }.display());
+    let beside = format!("dependency={}", beside.display());
+    let mut command = Command::new(compiler);
+    if !arguments.contains(&"--edition") {
+        command.args(["--edition", "2024"]);
+    }
+    let command = command.current_dir(folder).args(["--cap-lints", "forbid", "--extern", &libm, "-L", &beside]);
+    let output = command.args(arguments).output().unwrap();
+    if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
+}
+
+/// What smooth shapes are computed by, as it was compiled for us.
+fn libm(beside: &Path) -> PathBuf {
+    let libm = std::fs::read_dir(beside).unwrap().map(|entry| entry.unwrap().path()).filter(|path| {
         let name = path.file_name().unwrap().to_string_lossy();
         name.starts_with("liblibm-") && name.ends_with(".rlib")
     });
-    let libm = libm.max_by_key(|path| std::fs::metadata(path).unwrap().modified().unwrap()).unwrap();
-    let (libm, beside) = (format!("libm={}", libm.display()), format!("dependency={}", beside.display()));
-    let mut command = Command::new(compiler);
-    command.current_dir(folder).args(common).args(["--extern", &libm, "-L", &beside]).args(arguments);
-    let output = command.output().unwrap();
-    if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
+    libm.max_by_key(|path| std::fs::metadata(path).unwrap().modified().unwrap()).unwrap()
 }
 
 /// Feeds a process with words and answers its lines.
@@ -283,10 +291,12 @@ pub fn run(program: &Path, words: &[u64]) -> Vec<String> {
     String::from_utf8(output.stdout).unwrap().lines().map(str::to_owned).collect()
 }
 
-/// Readings and times at which something changes, in a plan.
-pub struct Critical {
+/// Readings and times to try in a plan.
+pub struct Trials {
     values: Vec<f64>,
     times: Vec<u64>,
+    /// Whether readings are such that single precision holds them exactly.
+    is_single: bool,
 }
 
 /// Where a shape turns.
@@ -307,8 +317,9 @@ fn landmarks(shape: &plan::Shape, code: &plan::Code) -> Vec<f64> {
     }
 }
 
-impl Critical {
-    pub fn new(code: &plan::Code, inputs: &[plan::Input]) -> Self {
+impl Trials {
+    /// Readings and times at which something changes, and those beside them.
+    pub fn critical(code: &plan::Code, inputs: &[plan::Input]) -> Self {
         let mut corners: Vec<f64> = vec![0.0, -0.0];
         let mut times = vec![0, 1, 10_000_000, 10_000_000, 10_000_000, 30_000_000, u64::from(u32::MAX)];
         for step in &code.steps {
@@ -327,14 +338,23 @@ impl Critical {
         let between: Vec<_> = corners.windows(2).map(|pair| f64::midpoint(pair[0], pair[1])).collect();
         let beside: Vec<_> = corners.iter().flat_map(|corner| [corner.next_up(), corner.next_down()]).collect();
         let beyond = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN, f64::MIN_POSITIVE, 1e9, -1e9];
-        Self { values: [corners, between, beside, beyond.to_vec()].concat(), times }
+        Self { values: [corners, between, beside, beyond.to_vec()].concat(), times, is_single: false }
+    }
+
+    /// Readings that are the same number in single precision, and the same times. None is as near to where something
+    /// changes as the rounding of that place.
+    pub fn single(code: &plan::Code, inputs: &[plan::Input]) -> Self {
+        let values = [vec![f64::NAN, f64::INFINITY], vec![-1e9, 1e9]].concat();
+        Self { values, is_single: true, ..Self::critical(code, inputs) }
     }
 
     fn reading(&self, input: &plan::Input, random: &mut Random) -> f64 {
-        if random.chance(2) {
-            random.one_of(&self.values)
-        } else {
-            lmslc::kernel::draw(&mut random.0, input.low - 0.5, input.high + 0.5)
+        let drawn = lmslc::kernel::draw(&mut random.0, input.low - 0.5, input.high + 0.5);
+        match self.is_single {
+            true if random.chance(12) => random.one_of(&self.values),
+            true => f64::from(drawn as f32),
+            false if random.chance(2) => random.one_of(&self.values),
+            false => drawn,
         }
     }
 
@@ -343,30 +363,65 @@ impl Critical {
     }
 }
 
-/// Words for a network, and the lines that the interpreter answers.
-pub fn expect_of_network(plan: &NetworkPlan, ticks: u64, random: &mut Random, words: &mut Vec<u64>) -> Vec<String> {
-    let critical = Critical::new(&plan.code, &plan.inputs);
+/// What the interpreter does on a tick.
+pub struct Tick {
+    /// The events of a network and their strengths; or the mode of a machine and its commands.
+    pub line: String,
+    /// Whether an event lies so near to a tie, or to its hysteresis, that rounding decides.
+    pub is_close: bool,
+    /// How long a machine has been in its mode.
+    pub dwell: Option<u64>,
+}
+
+/// How far single precision may be off in a strength or an argument: far above its 6e-8 of readings below 12 over flanks
+/// of a quarter, also where a root makes it larger.
+pub const SINGLE: f64 = 1e-4;
+
+fn is_close(code: &plan::Code, [contributor, detractor]: [f64; 2]) -> bool {
+    let hystereses = code.steps.iter().filter_map(|step| match step {
+        Step::OutweighsWithHysteresis { hysteresis, .. } => Some(*hysteresis),
+        _ => None,
+    });
+    let ahead = contributor - detractor;
+    let is_certain = ahead == 0.0 && (contributor == 0.0 || contributor == 1.0);
+    !is_certain && hystereses.chain([0.0]).any(|hysteresis| (ahead.abs() - hysteresis).abs() < 2.0 * SINGLE)
+}
+
+fn bits(number: f64) -> String {
+    format!("{:#x}", number.to_bits())
+}
+
+/// Words for a network, and what the interpreter answers.
+pub fn expect_of_network(
+    plan: &NetworkPlan,
+    trials: &Trials,
+    ticks: u64,
+    random: &mut Random,
+    words: &mut Vec<u64>,
+) -> Vec<Tick> {
     let mut evaluator = Evaluator::new(plan);
     words.push(ticks);
     let mut readings: Vec<f64> = plan.inputs.iter().map(|input| input.low).collect();
-    let lines = (0..ticks).map(|_| {
-        let dt = critical.dt(random);
+    let ticks = (0..ticks).map(|_| {
+        let dt = trials.dt(random);
         for (reading, input) in readings.iter_mut().zip(&plan.inputs) {
             if !random.chance(3) {
-                *reading = critical.reading(input, random);
+                *reading = trials.reading(input, random);
             }
         }
         words.push(dt);
         words.extend(readings.iter().map(|reading| reading.to_bits()));
         let told: Vec<_> = readings.iter().map(|&value| Reading { value, healthy: true }).collect();
         evaluator.evaluate(&told, dt);
-        let bits = |real| evaluator.real(real).to_bits();
+        let strengths = |event: &plan::Event| [event.contributor, event.detractor].map(|real| evaluator.real(real));
         let events = plan.events.iter().map(|event| {
-            format!(" {}:{:x}:{:x}", evaluator.bool(event.flag), bits(event.contributor), bits(event.detractor))
+            let [contributor, detractor] = strengths(event).map(bits);
+            format!(" {} {contributor} {detractor}", evaluator.bool(event.flag))
         });
-        events.collect()
+        let is_close = plan.events.iter().any(|event| is_close(&plan.code, strengths(event)));
+        Tick { line: events.collect(), is_close, dwell: None }
     });
-    lines.collect()
+    ticks.collect()
 }
 
 struct Log<'p>(&'p Plan, String);
@@ -375,33 +430,31 @@ impl Actuators for Log<'_> {
     fn command(&mut self, action: u32, arguments: &[f64], start: bool) {
         let action = &self.0.actions[action as usize];
         write!(self.1, " {}", action.name).unwrap();
-        for argument in arguments {
-            write!(self.1, ",{:x}", argument.to_bits()).unwrap();
+        for &argument in arguments {
+            write!(self.1, " {}", bits(argument)).unwrap();
         }
         if action.reports_done {
-            write!(self.1, ",{start}").unwrap();
+            write!(self.1, " {start}").unwrap();
         }
     }
 }
 
-/// What the interpreter does on a tick.
-pub struct Tick {
-    /// The mode and its commands.
-    pub line: String,
-    pub dwell: u64,
-}
-
 /// Words for a machine, and what the interpreter does with them.
-pub fn expect_of_machine(plan: &Plan, ticks: u64, random: &mut Random, words: &mut Vec<u64>) -> Vec<Tick> {
-    let critical = Critical::new(&plan.code, &plan.inputs);
+pub fn expect_of_machine(
+    plan: &Plan,
+    trials: &Trials,
+    ticks: u64,
+    random: &mut Random,
+    words: &mut Vec<u64>,
+) -> Vec<Tick> {
     let mut machine = Machine::new(plan, 7);
     words.push(ticks);
     let mut readings: Vec<_> = plan.inputs.iter().map(|input| Reading { value: input.low, healthy: true }).collect();
     let ticks = (0..ticks).map(|_| {
-        let (dt, done) = (critical.dt(random), random.chance(5));
+        let (dt, done) = (trials.dt(random), random.chance(5));
         for (reading, input) in readings.iter_mut().zip(&plan.inputs) {
             if random.chance(3) {
-                reading.value = critical.reading(input, random);
+                reading.value = trials.reading(input, random);
                 reading.healthy = !random.chance(6);
             }
         }
@@ -411,7 +464,20 @@ pub fn expect_of_machine(plan: &Plan, ticks: u64, random: &mut Random, words: &m
         let mut log = Log(plan, String::new());
         machine.step(Inputs { readings: &readings, done }, dt, &mut log);
         let mode = &plan.modes[machine.mode() as usize].name;
-        Tick { line: format!("{mode}{}", log.1), dwell: machine.dwell() }
+        let strengths = |event: &plan::Event| [event.contributor, event.detractor].map(|real| machine.real(real));
+        let is_close = plan.events.iter().any(|event| is_close(&plan.code, strengths(event)));
+        Tick { line: format!("{mode}{}", log.1), is_close, dwell: Some(machine.dwell()) }
     });
     ticks.collect()
+}
+
+/// Whether two lines say the same, numbers with some tolerance.
+pub fn says_the_same(one: &str, other: &str, tolerance: f64) -> bool {
+    let number =
+        |word: &str| word.strip_prefix("0x").map(|bits| f64::from_bits(u64::from_str_radix(bits, 16).unwrap()));
+    let same = |(one, other): (&str, &str)| match (number(one), number(other)) {
+        (Some(one), Some(other)) => (one - other).abs() <= tolerance,
+        _ => one == other,
+    };
+    one.split(' ').count() == other.split(' ').count() && one.split(' ').zip(other.split(' ')).all(same)
 }
