@@ -22,7 +22,7 @@ pub(super) fn module(
     let (doc, allowed, blank) = (layout::doc(&[&plan.origin.doc, &place]), lints::of_diagram(), layout::blank());
     let (inputs, robot) = (inputs(emission, &wiring), robot(emission, &wiring));
     let (state, machine) = (state(emission, &wiring), machine(emission, &wiring));
-    let kernel = kernel_text::import(&machine);
+    let kernel = kernel_text::import(&quote! { #inputs #machine });
     quote! {
         #blank
         #doc

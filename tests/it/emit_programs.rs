@@ -97,6 +97,8 @@ struct Program {
     random: Random,
     /// Whether terms may be smooth, or built from others.
     smooth: bool,
+    /// Whether the behavior may draw random numbers.
+    draws: bool,
     /// How many terms each variable has.
     terms: Vec<u64>,
     /// The variables of each network's inputs, and how many events it has.
@@ -105,8 +107,8 @@ struct Program {
 
 /// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`.
 pub fn program(seed: u64) -> (String, String) {
-    let mut program =
-        Program { random: Random(seed), smooth: seed.is_multiple_of(3), terms: Vec::new(), networks: Vec::new() };
+    let (smooth, draws) = (seed.is_multiple_of(3), !seed.is_multiple_of(4));
+    let mut program = Program { random: Random(seed), smooth, draws, terms: Vec::new(), networks: Vec::new() };
     let fusion = program.fusion();
     let modes = program.behavior();
     (fusion, modes)
@@ -238,13 +240,14 @@ impl Program {
     }
 
     fn call(&mut self) -> String {
-        self.random.one_of(&[
-            "halt()".to_owned(),
-            "drive(26 cm/s)".to_owned(),
-            "arc(-0.1 m/s, radius: random(1 m, 3 m))".to_owned(),
-            "turn(random(-120 deg, 120 deg))".to_owned(),
-            "turn(90 deg)".to_owned(),
-        ])
+        let calls = [
+            "halt()",
+            "drive(26 cm/s)",
+            "turn(90 deg)",
+            "turn(random(-120 deg, 120 deg))",
+            "arc(-0.1 m/s, radius: random(1 m, 3 m))",
+        ];
+        self.random.one_of(if self.draws { &calls } else { &calls[..3] }).to_owned()
     }
 
     fn behavior(&mut self) -> String {
@@ -277,7 +280,8 @@ impl Program {
                 1 if mode > 0 => " requires s2, s3".to_owned(),
                 _ => String::new(),
             };
-            writeln!(text, "    mode m{mode}{requires} {{\n        turn(random(-1 rad, 1 rad))").unwrap();
+            let turn = if self.draws { "turn(random(-1 rad, 1 rad))" } else { "turn(1 rad)" };
+            writeln!(text, "    mode m{mode}{requires} {{\n        {turn}").unwrap();
             for when in ["on enter", "on exit", ""] {
                 if self.random.chance(3) {
                     let (first, second) = (self.call(), self.random.one_of(&["ring(2)", "halt()"]));
