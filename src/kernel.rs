@@ -22,10 +22,12 @@ pub fn ramp(x: f64, zero_at: f64, one_at: f64) -> f64 {
 }
 
 /// Degree of membership of a triangle from `a` over `b` to `c`; `a <= b <= c`. Equal corners are steps with the larger
-/// degree at the corner.
+/// degree at the corner. No flank is above 1 on its own side of `b`, rounded or not.
 #[inline]
 pub fn triangle(x: f64, a: f64, b: f64, c: f64) -> f64 {
-    trapezoid(x, a, b, b, c)
+    let rising = if a < b { (x - a) / (b - a) } else { rectangle(x, b, c) };
+    let falling = if b < c { (c - x) / (c - b) } else { rectangle(x, a, b) };
+    maximum(0.0, minimum(rising, falling))
 }
 
 /// Degree of membership of a trapezoid: 0 at `a`, 1 from `b` to `c`, 0 at `d`; `a <= b <= c <= d`. Equal corners are
@@ -261,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn a_trapezoid_is_the_line_that_its_flank_says() {
+    fn triangles_and_trapezoids_are_the_line_that_their_flank_says() {
         let by_cases = |x: f64, [a, b, c, d]: [f64; 4]| {
             if x < b {
                 if x <= a { 0.0 } else { (x - a) / (b - a) }
@@ -280,6 +282,7 @@ mod tests {
             for x in corners.into_iter().chain(beside).chain([draw(&mut seed, -4.0, 4.0), -0.0]) {
                 let degree = trapezoid(x, a, b, c, d);
                 assert_eq!(degree.to_bits(), by_cases(x, corners).to_bits(), "{x} in {corners:?}");
+                assert_eq!(triangle(x, a, b, d).to_bits(), trapezoid(x, a, b, b, d).to_bits(), "{x} in {corners:?}");
             }
         }
     }

@@ -90,6 +90,34 @@ impl Formula {
         }
     }
 
+    /// The same with the parts of each minimum and maximum in order: values by a key, so that what different rules share
+    /// is the same call, which is computed once; then what takes longer, so that nothing waits for it.
+    pub(super) fn sorted<K: Ord>(self, key: &impl Fn(Node) -> K) -> Self {
+        let sorted = |parts: Vec<Formula>| {
+            let mut parts: Vec<_> = parts.into_iter().map(|part| part.sorted(key)).collect();
+            parts.sort_by_cached_key(|part| match part {
+                Formula::Value(node) => (0, Some(key(*node))),
+                part => (part.depth(), None),
+            });
+            parts
+        };
+        match self {
+            Formula::Value(node) => Formula::Value(node),
+            Formula::Minimum(parts) => Formula::Minimum(sorted(parts)),
+            Formula::Maximum(parts) => Formula::Maximum(sorted(parts)),
+        }
+    }
+
+    /// How many minima and maxima lie in each other.
+    fn depth(&self) -> usize {
+        match self {
+            Formula::Value(_) => 0,
+            Formula::Minimum(parts) | Formula::Maximum(parts) => {
+                1 + parts.iter().map(Formula::depth).max().unwrap_or_default()
+            }
+        }
+    }
+
     /// The values it is made of.
     pub(super) fn values(&self) -> Vec<Node> {
         match self {
@@ -136,6 +164,9 @@ mod tests {
         let value = Formula::Value;
         let shared = Formula::Minimum(vec![value(5), Formula::Maximum(vec![value(0), value(1)])]);
         assert_eq!(formula, Formula::Maximum(vec![shared, Formula::Minimum(vec![value(2), value(3)])]));
+        let sorted = factored(&[vec![0, 5], vec![1, 5], vec![3, 2]]).sorted(&|node| node);
+        let shared = Formula::Minimum(vec![value(5), Formula::Maximum(vec![value(0), value(1)])]);
+        assert_eq!(sorted, Formula::Maximum(vec![Formula::Minimum(vec![value(2), value(3)]), shared]));
         assert_eq!(factored(&[vec![0, 1], vec![0]]), value(0));
         assert_eq!(factored(&[vec![0, 1], vec![]]), Formula::Minimum(vec![]));
         assert_eq!(factored(&[]), Formula::Maximum(vec![]));
@@ -147,7 +178,7 @@ mod tests {
         for _ in 0..2_000 {
             let mut below = |limit| (next_random(&mut seed) % limit) as usize;
             let rules: Vec<Vec<Node>> = (0..below(7)).map(|_| (0..below(5)).map(|_| below(6)).collect()).collect();
-            let formula = factored(&rules);
+            let formula = factored(&rules).sorted(&|node| node % 4);
             let degrees = [0; 6].map(|_| draw(&mut seed, -0.2, 1.2).clamp(0.0, 1.0));
             let strength = |rule: &Vec<Node>| rule.iter().map(|&node| degrees[node]).fold(1.0, f64::min);
             let plain = rules.iter().map(strength).fold(0.0, f64::max);

@@ -26,7 +26,9 @@ pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenS
     let sides: Vec<[Formula; 2]> = plan
         .strengths
         .iter()
-        .map(|(contributor, detractor)| [contributor, detractor].map(|rules| factored(rules, graph)))
+        .map(|(contributor, detractor)| {
+            [contributor, detractor].map(|rules| factored(rules, graph).sorted(&|node| (inference.input(node), node)))
+        })
         .collect();
     let used: BTreeSet<Node> = sides.iter().flatten().flat_map(Formula::values).collect();
     let degrees = inference.degrees(emission, &used);
@@ -65,13 +67,13 @@ pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenS
         #blank
         /// How strongly the rules speak for and against each event.
         #[must_use]
-        #[inline]
+        #[inline(always)]
         pub fn strengths(inputs: &Inputs) -> Strengths {
             weigh(#(#safe),*)
         }
         #blank
         #docs
-        #[inline]
+        #[inline(always)]
         pub(super) fn weigh(#(#parameters: #float),*) -> Strengths {
             #degrees
             #(#weighed)*

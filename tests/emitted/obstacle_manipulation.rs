@@ -23,6 +23,7 @@
     reason = "names and documentation are the user's"
 )]
 #[allow(dead_code, reason = "a robot need not use everything")]
+#[allow(clippy::inline_always, reason = "strengths stay in registers")]
 #[allow(
     clippy::fn_params_excessive_bools,
     clippy::large_enum_variant,
@@ -83,7 +84,7 @@ pub mod obstacle_id {
 
     /// How strongly the rules speak for and against each event.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn strengths(inputs: &Inputs) -> Strengths {
         weigh(
             kernel::sanitize(inputs.left, true, -4.0, 4.0, 0.0),
@@ -93,7 +94,7 @@ pub mod obstacle_id {
     }
 
     /// The strengths of safe readings.
-    #[inline]
+    #[inline(always)]
     pub(super) fn weigh(left: f64, right: f64, force: f64) -> Strengths {
         let left_neg = kernel::ramp(left, 0.0, -1.0);
         let left_zero = kernel::triangle(left, -1.0, 0.0, 1.0);
@@ -127,31 +128,31 @@ pub mod obstacle_id {
         let forward_collision = Strength {
             contributor: kernel::maximum(
                 kernel::maximum(
-                    kernel::minimum(
-                        force_med,
+                    kernel::minimum(kernel::minimum(left_neg, right_neg), force_low),
+                    kernel::minimum(kernel::minimum(left_any, right_any), force_high),
+                ),
+                kernel::minimum(
+                    force_med,
+                    kernel::maximum(
                         kernel::maximum(
-                            kernel::maximum(
-                                kernel::minimum(
-                                    left_zero,
-                                    kernel::maximum(right_neg, right_zero),
-                                ),
-                                kernel::minimum(left_pos, right_neg),
-                            ),
+                            kernel::minimum(left_pos, right_neg),
                             kernel::minimum(left_neg, right_any),
                         ),
+                        kernel::minimum(
+                            left_zero,
+                            kernel::maximum(right_neg, right_zero),
+                        ),
                     ),
-                    kernel::minimum(kernel::minimum(left_neg, right_neg), force_low),
                 ),
-                kernel::minimum(kernel::minimum(force_high, right_any), left_any),
             ),
             detractor: kernel::minimum(
                 force_low,
                 kernel::maximum(
                     kernel::maximum(
-                        kernel::minimum(right_pos, kernel::maximum(left_neg, left_zero)),
                         kernel::minimum(left_zero, right_zero),
+                        kernel::minimum(left_pos, right_any),
                     ),
-                    kernel::minimum(left_pos, right_any),
+                    kernel::minimum(right_pos, kernel::maximum(left_neg, left_zero)),
                 ),
             ),
         };
@@ -163,11 +164,11 @@ pub mod obstacle_id {
         //     27: (_, _, {low, med})
         let heavy_obstacle = Strength {
             contributor: kernel::minimum(
-                kernel::minimum(force_high, right_any),
-                left_any,
+                kernel::minimum(left_any, right_any),
+                force_high,
             ),
             detractor: kernel::minimum(
-                kernel::minimum(right_any, left_any),
+                kernel::minimum(left_any, right_any),
                 force_low_or_med,
             ),
         };
@@ -228,6 +229,7 @@ pub mod obstacle_id {
     reason = "names and documentation are the user's"
 )]
 #[allow(dead_code, reason = "a robot need not use everything")]
+#[allow(clippy::inline_always, reason = "strengths stay in registers")]
 #[allow(
     clippy::fn_params_excessive_bools,
     clippy::large_enum_variant,
@@ -639,20 +641,12 @@ mod kernel {
     }
 
     /// Degree of membership of a triangle from `a` over `b` to `c`; `a <= b <= c`. Equal corners are steps with the larger
-    /// degree at the corner.
+    /// degree at the corner. No flank is above 1 on its own side of `b`, rounded or not.
     #[inline]
     pub fn triangle(x: f64, a: f64, b: f64, c: f64) -> f64 {
-        trapezoid(x, a, b, b, c)
-    }
-
-    /// Degree of membership of a trapezoid: 0 at `a`, 1 from `b` to `c`, 0 at `d`; `a <= b <= c <= d`. Equal corners are
-    /// steps with the larger degree at the corner. Both flanks are computed wherever `x` lies: two divisions side by side
-    /// cost less than a branch that readings make hard to predict.
-    #[inline]
-    pub fn trapezoid(x: f64, a: f64, b: f64, c: f64, d: f64) -> f64 {
-        let rising = if a < b { (x - a) / (b - a) } else { rectangle(x, b, d) };
-        let falling = if c < d { (d - x) / (d - c) } else { rectangle(x, a, c) };
-        maximum(0.0, minimum(1.0, minimum(rising, falling)))
+        let rising = if a < b { (x - a) / (b - a) } else { rectangle(x, b, c) };
+        let falling = if b < c { (c - x) / (c - b) } else { rectangle(x, a, b) };
+        maximum(0.0, minimum(rising, falling))
     }
 
     /// Degree of membership of the closed interval from `low` to `high`.
