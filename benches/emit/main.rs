@@ -1,204 +1,155 @@
-//! How fast emitted code is, beside the same written by hand: `cargo bench --bench emit`.
+//! How fast emitted code is, beside the same written by hand, in other crates and in the interpreter:
+//! `cargo bench --bench emit`. Contenders take turns, the fastest turn of each counts, and all must do the same.
 #![expect(clippy::disallowed_methods, clippy::print_stdout, reason = "ratios are measured by a clock of our own")]
+#![expect(clippy::unwrap_used, reason = "a bench without its input has nothing to measure")]
+
+mod by_hand;
+mod by_smlang;
+mod by_statig;
 
 use std::convert::Infallible;
-use std::time::Instant;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
 
-use divan::{Bencher, black_box};
+use lmslc::driver::{Analysis, FileError, Files, Options, analyze};
+use lmslc::interp::{Actuators, Evaluator, Inputs, Machine, Reading};
 use lmslc::kernel::{draw, next_random};
+use lmslc::plan;
+use statig::blocking::IntoStateMachineExt;
 
 mod emitted {
-    include!("../tests/emitted/obstacle_manipulation.rs");
+    include!("../../tests/emitted/obstacle_manipulation.rs");
 }
+use emitted::{obstacle_id, obstacle_manipulation as manipulation};
 
-use emitted::obstacle_id::{self, Inputs};
-use emitted::obstacle_manipulation::{self as machine, Failed, Robot};
+mod emitted_switching {
+    include!("switching.rs");
+}
+use emitted_switching::switching;
 
-/// What one writes who knows the network and wants it fast, on the same readings and to the same bits.
-mod by_hand {
-    use super::{Failed, Infallible, Inputs, Robot, draw, machine};
+/// The length of a tick in nanoseconds.
+const TICK: u32 = 100_000_000;
+/// A turn of 120 degrees, rounded once.
+const TURN: f64 = 2.094_395_102_393_195_7;
 
-    fn least(a: f64, b: f64) -> f64 {
-        if b < a { b } else { a }
-    }
+/// A robot that sums up what it is asked for, at the price of one addition.
+pub struct Commands(u64);
 
-    fn most(a: f64, b: f64) -> f64 {
-        if b > a { b } else { a }
-    }
-
-    fn unit(x: f64) -> f64 {
-        most(0.0, least(1.0, x))
-    }
-
-    fn clamp(x: f64, low: f64, high: f64) -> f64 {
-        if x.is_finite() { most(least(x, high), low) } else { 0.0 }
-    }
-
-    pub struct Events {
-        pub forward_collision: bool,
-        pub heavy_obstacle: bool,
-    }
-
-    pub fn evaluate(inputs: &Inputs) -> Events {
-        weigh(clamp(inputs.left, -4.0, 4.0), clamp(inputs.right, -4.0, 4.0), clamp(inputs.force, 0.0, 400.0))
+impl Commands {
+    #[inline]
+    fn add(&mut self, kind: u64, value: f64) {
+        self.0 = self.0.wrapping_add(kind.wrapping_add(value.to_bits()));
     }
 
     #[inline]
-    pub fn weigh(left: f64, right: f64, force: f64) -> Events {
-        let [left_neg, right_neg] = [left, right].map(|x| unit(-x));
-        let [left_zero, right_zero] = [left, right].map(|x| most(0.0, least(x + 1.0, 1.0 - x)));
-        let [left_pos, right_pos] = [left, right].map(unit);
-        let low = unit((force - 80.0) / -60.0);
-        let med = most(0.0, least((force - 20.0) / 95.0, (190.0 - force) / 75.0));
-        let high = unit((force - 150.0) / 60.0);
-        let left_any = most(left_zero, most(left_neg, left_pos));
-        let right_any = most(right_zero, most(right_neg, right_pos));
-        let any = least(left_any, right_any);
-        let heavy = least(any, high);
-        let with_med = most(most(least(left_any, right_neg), least(left_zero, right_zero)), least(left_neg, right_any));
-        let contributor = most(most(heavy, least(med, with_med)), least(low, least(left_neg, right_neg)));
-        let against = most(
-            most(least(most(left_neg, left_zero), right_pos), least(left_zero, right_zero)),
-            least(left_pos, right_any),
-        );
-        Events {
-            forward_collision: contributor > least(low, against),
-            heavy_obstacle: heavy > least(any, most(low, med)),
-        }
+    fn halt(&mut self) {
+        self.add(1, 0.0);
     }
 
-    #[derive(Clone, Copy)]
-    pub enum Mode {
-        Init(u32),
-        Forward,
-        Stop(u32),
-        BackUp(u32),
-        RandomTurn(f64),
-        Push(u32),
+    #[inline]
+    fn drive(&mut self, speed: f64) {
+        self.add(2, speed);
     }
 
-    pub struct Machine {
-        pub mode: Mode,
-        pub random: u64,
+    #[inline]
+    fn arc(&mut self, speed: f64, radius: f64) {
+        self.add(3, speed);
+        self.add(4, radius);
     }
 
-    impl Machine {
-        pub fn step<R: Robot<Error = Infallible>>(&mut self, inputs: &machine::Inputs, dt_ns: u64, robot: &mut R) {
-            let dt = u32::try_from(dt_ns).unwrap_or(u32::MAX);
-            match &mut self.mode {
-                Mode::Init(elapsed) => {
-                    *elapsed = elapsed.saturating_add(dt);
-                    if *elapsed >= 2_000_000_000 { self.forward(robot) } else { ok(robot.halt()) }
-                }
-                Mode::Forward => {
-                    let events = sense(inputs);
-                    if events.heavy_obstacle || events.forward_collision && inputs.failed.contact_force {
-                        self.stop(robot);
-                    } else if events.forward_collision {
-                        self.mode = Mode::Push(0);
-                        ok(robot.arc(0.26, 1.0));
-                    } else {
-                        ok(robot.drive(0.26));
-                    }
-                }
-                Mode::Stop(elapsed) => {
-                    *elapsed = elapsed.saturating_add(dt);
-                    if *elapsed >= 500_000_000 {
-                        self.mode = Mode::BackUp(0);
-                        ok(robot.drive(-0.2));
-                    } else {
-                        ok(robot.halt());
-                    }
-                }
-                Mode::BackUp(elapsed) => {
-                    *elapsed = elapsed.saturating_add(dt);
-                    if *elapsed >= 1_500_000_000 {
-                        let end = 2.0 * std::f64::consts::PI / 3.0;
-                        let angle = draw(&mut self.random, -end, end);
-                        self.mode = Mode::RandomTurn(angle);
-                        ok(robot.turn(angle, true));
-                    } else {
-                        ok(robot.drive(-0.2));
-                    }
-                }
-                Mode::RandomTurn(angle) => {
-                    if inputs.done {
-                        self.forward(robot);
-                    } else {
-                        ok(robot.turn(*angle, false));
-                    }
-                }
-                Mode::Push(elapsed) => {
-                    *elapsed = elapsed.saturating_add(dt);
-                    if inputs.failed.contact_force || sense(inputs).heavy_obstacle {
-                        self.stop(robot);
-                    } else if *elapsed >= 4_000_000_000 {
-                        self.forward(robot);
-                    } else {
-                        ok(robot.arc(0.26, 1.0));
-                    }
-                }
-            }
-        }
-
-        fn forward<R: Robot<Error = Infallible>>(&mut self, robot: &mut R) {
-            self.mode = Mode::Forward;
-            ok(robot.drive(0.26));
-        }
-
-        fn stop<R: Robot<Error = Infallible>>(&mut self, robot: &mut R) {
-            self.mode = Mode::Stop(0);
-            ok(robot.halt());
-        }
-    }
-
-    fn sense(inputs: &machine::Inputs) -> Events {
-        let Failed { left_wheel_acceleration, right_wheel_acceleration, contact_force } = inputs.failed;
-        let safe = |x: f64, failed: bool, low, high| if failed { 0.0 } else { clamp(x, low, high) };
-        weigh(
-            safe(inputs.left_wheel_acceleration, left_wheel_acceleration, -4.0, 4.0),
-            safe(inputs.right_wheel_acceleration, right_wheel_acceleration, -4.0, 4.0),
-            safe(inputs.contact_force, contact_force, 0.0, 400.0),
-        )
-    }
-
-    fn ok(result: Result<(), Infallible>) {
-        let Ok(()) = result;
+    #[inline]
+    fn turn(&mut self, angle: f64, start: bool) {
+        self.add(5 + u64::from(start), angle);
     }
 }
 
-/// A robot that adds up what it is asked for.
-struct Sum(f64);
+/// The robot as the module of a behavior asks for it.
+macro_rules! robot {
+    ($module:ident) => {
+        impl $module::Robot for Commands {
+            type Error = Infallible;
 
-impl Robot for Sum {
-    type Error = Infallible;
+            #[inline]
+            fn halt(&mut self) -> Result<(), Infallible> {
+                self.halt();
+                Ok(())
+            }
 
-    fn halt(&mut self) -> Result<(), Infallible> {
-        self.0 += 1.0;
-        Ok(())
-    }
+            #[inline]
+            fn drive(&mut self, speed: f64) -> Result<(), Infallible> {
+                self.drive(speed);
+                Ok(())
+            }
 
-    fn drive(&mut self, speed: f64) -> Result<(), Infallible> {
-        self.0 += speed;
-        Ok(())
-    }
+            #[inline]
+            fn arc(&mut self, speed: f64, radius: f64) -> Result<(), Infallible> {
+                self.arc(speed, radius);
+                Ok(())
+            }
 
-    fn arc(&mut self, speed: f64, radius: f64) -> Result<(), Infallible> {
-        self.0 += speed * radius;
-        Ok(())
-    }
+            #[inline]
+            fn turn(&mut self, angle: f64, start: bool) -> Result<(), Infallible> {
+                self.turn(angle, start);
+                Ok(())
+            }
+        }
+    };
+}
 
-    fn turn(&mut self, angle: f64, start: bool) -> Result<(), Infallible> {
-        self.0 += if start { angle } else { 0.5 * angle };
-        Ok(())
+robot!(manipulation);
+robot!(switching);
+
+/// The same for the interpreter.
+struct Told<'p> {
+    plan: &'p plan::Plan,
+    robot: Commands,
+}
+
+impl Actuators for Told<'_> {
+    fn command(&mut self, action: u32, arguments: &[f64], start: bool) {
+        match (self.plan.actions[action as usize].name.as_str(), arguments) {
+            ("drive", [speed]) => self.robot.drive(*speed),
+            ("arc", [speed, radius]) => self.robot.arc(*speed, *radius),
+            ("turn", [angle]) => self.robot.turn(*angle, start),
+            _ => self.robot.halt(),
+        }
     }
 }
 
 const COUNT: usize = 4096;
 
-fn readings() -> Vec<Inputs> {
+/// The answers of a run, as one number.
+type Run<'a, I> = (&'a str, &'a dyn Fn(&[I]) -> u64);
+
+/// Times runs over the same inputs, in turns; prints nanoseconds for one input, and how much the first one takes of them.
+fn measure<I>(title: &str, inputs: &[I], runs: &[Run<'_, I>], time: Duration) {
+    let mut best = vec![f64::INFINITY; runs.len()];
+    let answer = runs[0].1(inputs);
+    let start = Instant::now();
+    loop {
+        for ((name, run), best) in runs.iter().zip(&mut best) {
+            let start = Instant::now();
+            let same = black_box(run(black_box(inputs))) == answer;
+            *best = best.min(start.elapsed().as_secs_f64() * 1e9 / inputs.len() as f64);
+            assert!(same, "{title}: {name} does something else");
+        }
+        if start.elapsed() >= time {
+            break;
+        }
+    }
+    println!("{title}");
+    for ((name, _), nanoseconds) in runs.iter().zip(&best) {
+        println!("  {name:<12} {nanoseconds:7.2} ns  {:6.3}", best[0] / nanoseconds);
+    }
+}
+
+fn mix(sum: u64, [one, other]: [bool; 2]) -> u64 {
+    sum.rotate_left(1) ^ (u64::from(one) + 2 * u64::from(other))
+}
+
+fn readings() -> Vec<obstacle_id::Inputs> {
     let mut seed = 1;
-    let mut reading = || Inputs {
+    let mut reading = || obstacle_id::Inputs {
         left: draw(&mut seed, -1.5, 1.5),
         right: draw(&mut seed, -1.5, 1.5),
         force: draw(&mut seed, 0.0, 250.0),
@@ -206,111 +157,194 @@ fn readings() -> Vec<Inputs> {
     (0..COUNT).map(|_| reading()).collect()
 }
 
+#[inline]
+fn all<I>(inputs: &[I], evaluate: impl Fn(&I) -> [bool; 2]) -> u64 {
+    inputs.iter().fold(0, |sum, reading| mix(sum, evaluate(reading)))
+}
+
+/// Each answer decides where the next readings are taken from, so that nothing overlaps.
+#[inline]
+fn chained<I>(inputs: &[I], evaluate: impl Fn(&I) -> [bool; 2]) -> u64 {
+    let (mut sum, mut at) = (0, 0);
+    for _ in inputs {
+        let [one, other] = evaluate(&inputs[at % COUNT]);
+        sum = mix(sum, [one, other]);
+        at += 1 + usize::from(one) + usize::from(other);
+    }
+    sum
+}
+
+fn emitted_events(inputs: &obstacle_id::Inputs) -> [bool; 2] {
+    let events = obstacle_id::evaluate(inputs);
+    [events.forward_collision, events.heavy_obstacle]
+}
+
+fn networks(program: &Analysis, time: Duration) {
+    let checked = program.checked().unwrap();
+    let (id, _) = program.program.networks.iter().find(|(_, network)| network.symbol.name == "obstacle_id").unwrap();
+    let plan = plan::build_network(checked, id);
+    let interpreted = |inputs: &[obstacle_id::Inputs]| {
+        let mut evaluator = Evaluator::new(&plan);
+        inputs.iter().fold(0, |sum, inputs| {
+            let told = [inputs.left, inputs.right, inputs.force].map(|value| Reading { value, healthy: true });
+            evaluator.evaluate(&told, u64::from(TICK));
+            mix(sum, [0, 1].map(|event: usize| evaluator.bool(plan.events[event].flag)))
+        })
+    };
+    let readings = readings();
+    let runs: [Run<'_, _>; 3] = [
+        ("emitted", &|inputs| all(inputs, emitted_events)),
+        ("by hand", &|inputs| all(inputs, by_hand::obstacle_id)),
+        ("interpreter", &interpreted),
+    ];
+    measure("obstacle_id", &readings, &runs, time);
+    let runs: [Run<'_, _>; 2] = [
+        ("emitted", &|inputs| chained(inputs, emitted_events)),
+        ("by hand", &|inputs| chained(inputs, by_hand::obstacle_id)),
+    ];
+    measure("obstacle_id, each after the one before", &readings, &runs, time);
+}
+
 /// Readings that lead through all modes: mostly quiet, with collisions, some of them heavy, and turns that end.
-fn ticks() -> Vec<machine::Inputs> {
+fn manipulation_ticks() -> Vec<manipulation::Inputs> {
     let mut seed = 2;
     let reading = |index: usize| {
-        let force = if index % 60 < 50 { 5.0 } else { draw(&mut seed, 60.0, 260.0) };
-        machine::Inputs {
+        let contact_force = if index % 60 < 50 { 5.0 } else { draw(&mut seed, 60.0, 260.0) };
+        manipulation::Inputs {
             left_wheel_acceleration: draw(&mut seed, -0.3, 0.3),
             right_wheel_acceleration: draw(&mut seed, -0.3, 0.3),
-            contact_force: force,
-            failed: Failed { contact_force: next_random(&mut seed).is_multiple_of(100), ..Failed::default() },
+            contact_force,
+            failed: manipulation::Failed {
+                contact_force: next_random(&mut seed).is_multiple_of(100),
+                ..manipulation::Failed::default()
+            },
             done: next_random(&mut seed).is_multiple_of(20),
         }
     };
     (0..COUNT).map(reading).collect()
 }
 
-const TICK: u64 = 100_000_000;
+const SEED: u64 = 7;
 
-#[inline(never)]
-fn network_emitted(readings: &[Inputs]) -> u32 {
-    let set = |reading: &Inputs| {
-        let events = obstacle_id::evaluate(reading);
-        u32::from(events.forward_collision) + 2 * u32::from(events.heavy_obstacle)
-    };
-    readings.iter().map(set).fold(0, |sum, set| sum * 3 % 1_000_003 + set)
-}
-
-#[inline(never)]
-fn network_by_hand(readings: &[Inputs]) -> u32 {
-    let set = |reading: &Inputs| {
-        let events = by_hand::evaluate(reading);
-        u32::from(events.forward_collision) + 2 * u32::from(events.heavy_obstacle)
-    };
-    readings.iter().map(set).fold(0, |sum, set| sum * 3 % 1_000_003 + set)
-}
-
-#[inline(never)]
-fn machine_emitted(ticks: &[machine::Inputs]) -> f64 {
-    let state = Some(machine::State::Init { elapsed: 0 });
-    let (mut machine, mut robot) = (machine::Machine { state, random: 7 }, Sum(0.0));
+fn manipulation_emitted(ticks: &[manipulation::Inputs]) -> u64 {
+    let (mut machine, mut robot) = (manipulation::Machine::new(SEED), Commands(0));
+    let Ok(_) = machine.step(&ticks[0], 0, &mut robot);
     for tick in ticks {
-        let Ok(_) = machine.step(tick, TICK, &mut robot);
+        let Ok(_) = machine.step(tick, u64::from(TICK), &mut robot);
     }
     robot.0
 }
 
-#[inline(never)]
-fn machine_by_hand(ticks: &[machine::Inputs]) -> f64 {
-    let (mut machine, mut robot) = (by_hand::Machine { mode: by_hand::Mode::Init(0), random: 7 }, Sum(0.0));
+fn manipulation_by_hand(ticks: &[manipulation::Inputs]) -> u64 {
+    let mut robot = Commands(0);
+    let mut machine = by_hand::Manipulation::new(SEED, &mut robot);
     for tick in ticks {
-        machine.step(tick, TICK, &mut robot);
+        machine.step(tick, &mut robot);
     }
     robot.0
 }
 
-#[divan::bench]
-fn obstacle_id_emitted(bencher: Bencher<'_, '_>) {
-    let readings = readings();
-    bencher.counter(COUNT).bench(|| network_emitted(black_box(&readings)));
-}
-
-#[divan::bench]
-fn obstacle_id_by_hand(bencher: Bencher<'_, '_>) {
-    let readings = readings();
-    bencher.counter(COUNT).bench(|| network_by_hand(black_box(&readings)));
-}
-
-#[divan::bench]
-fn manipulation_emitted(bencher: Bencher<'_, '_>) {
-    let ticks = ticks();
-    bencher.counter(COUNT).bench(|| machine_emitted(black_box(&ticks)));
-}
-
-#[divan::bench]
-fn manipulation_by_hand(bencher: Bencher<'_, '_>) {
-    let ticks = ticks();
-    bencher.counter(COUNT).bench(|| machine_by_hand(black_box(&ticks)));
-}
-
-/// The fastest of many turns each, taken alternately: nanoseconds for one of `COUNT`.
-fn fastest<I: ?Sized, T>(input: &I, one: fn(&I) -> T, other: fn(&I) -> T) -> [f64; 2] {
-    let mut best = [f64::INFINITY; 2];
-    for _ in 0..2_000 {
-        for (best, run) in best.iter_mut().zip([one, other]) {
-            let start = Instant::now();
-            black_box(run(black_box(input)));
-            *best = best.min(start.elapsed().as_secs_f64() * 1e9 / COUNT as f64);
+fn machines(program: &Analysis, time: Duration) {
+    let (id, diagram) =
+        program.program.diagrams.iter().find(|(_, diagram)| diagram.symbol.name == "obstacle_manipulation").unwrap();
+    let plan = plan::build_on(program.checked().unwrap(), id, diagram.platform, &[]);
+    let interpreted = |ticks: &[manipulation::Inputs]| {
+        let (mut machine, mut told) = (Machine::new(&plan, SEED), Told { plan: &plan, robot: Commands(0) });
+        let mut tick = |inputs: &manipulation::Inputs, dt: u32| {
+            let manipulation::Failed { left_wheel_acceleration, right_wheel_acceleration, contact_force } =
+                inputs.failed;
+            let readings = [
+                (inputs.left_wheel_acceleration, left_wheel_acceleration),
+                (inputs.right_wheel_acceleration, right_wheel_acceleration),
+                (inputs.contact_force, contact_force),
+            ];
+            let readings = readings.map(|(value, failed)| Reading { value, healthy: !failed });
+            machine.step(Inputs { readings: &readings, done: inputs.done }, u64::from(dt), &mut told);
+        };
+        tick(&ticks[0], 0);
+        for inputs in ticks {
+            tick(inputs, TICK);
         }
+        told.robot.0
+    };
+    let runs: [Run<'_, _>; 3] =
+        [("emitted", &manipulation_emitted), ("by hand", &manipulation_by_hand), ("interpreter", &interpreted)];
+    measure("obstacle_manipulation", &manipulation_ticks(), &runs, time);
+}
+
+/// Readings that never end the way ahead, or such that lead through all modes.
+fn switching_ticks(is_busy: bool) -> Vec<switching::Inputs> {
+    let mut seed = 3;
+    let reading = |index: usize| switching::Inputs {
+        force: draw(&mut seed, 0.0, if is_busy && index % 40 < 4 { 260.0 } else { 50.0 }),
+        failed: switching::Failed { force: is_busy && next_random(&mut seed).is_multiple_of(100) },
+        done: next_random(&mut seed).is_multiple_of(4),
+    };
+    (0..COUNT).map(reading).collect()
+}
+
+fn switching_emitted(ticks: &[switching::Inputs]) -> u64 {
+    let (mut machine, mut robot) = (switching::Machine::new(), Commands(0));
+    let Ok(_) = machine.step(&ticks[0], 0, &mut robot);
+    for tick in ticks {
+        let Ok(_) = machine.step(tick, u64::from(TICK), &mut robot);
     }
-    best
+    robot.0
+}
+
+fn switching_by_hand(ticks: &[switching::Inputs]) -> u64 {
+    let mut robot = Commands(0);
+    let mut machine = by_hand::Switching::new(&mut robot);
+    for tick in ticks {
+        machine.step(tick, &mut robot);
+    }
+    robot.0
+}
+
+fn switching_by_statig(ticks: &[switching::Inputs]) -> u64 {
+    let mut robot = Commands(0);
+    let mut machine = by_statig::Switching.uninitialized_state_machine().init_with_context(&mut robot);
+    for tick in ticks {
+        machine.handle_with_context(tick, &mut robot);
+    }
+    robot.0
+}
+
+fn switching_by_smlang(ticks: &[switching::Inputs]) -> u64 {
+    let mut robot = Commands(0);
+    robot.halt();
+    let mut machine = by_smlang::StateMachine::new(by_smlang::Context { robot: &mut robot, elapsed: 0 });
+    for tick in ticks {
+        let elapsed = &mut machine.context_mut().elapsed;
+        *elapsed = elapsed.saturating_add(TICK);
+        machine.process_event(by_smlang::Events::Tick(tick)).unwrap();
+    }
+    robot.0
+}
+
+/// The library alone.
+struct Library;
+
+impl Files for Library {
+    fn read(&self, _path: &str) -> Result<String, FileError> {
+        Ok("import std.behaviors.obstacle_manipulation\n".to_owned())
+    }
 }
 
 fn main() {
-    let (readings, ticks) = (readings(), ticks());
-    assert_eq!(network_emitted(&readings), network_by_hand(&readings), "both see the same events");
-    assert_eq!(machine_emitted(&ticks).to_bits(), machine_by_hand(&ticks).to_bits(), "both give the same commands");
-    divan::main();
-    if std::env::args().any(|argument| argument == "--bench") {
-        let figures = [
-            ("obstacle_id", fastest(readings.as_slice(), network_emitted, network_by_hand)),
-            ("obstacle_manipulation", fastest(ticks.as_slice(), machine_emitted, machine_by_hand)),
-        ];
-        for (name, [emitted, by_hand]) in figures {
-            let ratio = emitted / by_hand;
-            println!("{name}: emitted {emitted:.2} ns, by hand {by_hand:.2} ns, ratio {ratio:.3}");
-        }
-    }
+    // Only a turn each, to see that they agree.
+    let is_test = std::env::args().any(|argument| argument == "--test");
+    let time = Duration::from_millis(if is_test { 0 } else { 1500 });
+    let program = analyze(&Library, &["main.msd".to_owned()], &Options::default());
+    networks(&program, time);
+    machines(&program, time);
+    println!("switching has {} bytes of state", size_of::<switching::Machine>());
+    let runs: [Run<'_, _>; 4] = [
+        ("emitted", &switching_emitted),
+        ("by hand", &switching_by_hand),
+        ("statig", &switching_by_statig),
+        ("smlang", &switching_by_smlang),
+    ];
+    measure("switching, calm", &switching_ticks(false), &runs, time);
+    measure("switching, busy", &switching_ticks(true), &runs, time);
 }
