@@ -226,6 +226,7 @@ fn manipulation_ticks() -> Vec<manipulation::Inputs> {
 
 const SEED: u64 = 7;
 
+#[inline(never)]
 fn manipulation_emitted(ticks: &[manipulation::Inputs]) -> u64 {
     let (mut machine, mut robot) = (manipulation::Machine::new(SEED), Commands(0));
     let Ok(_) = machine.step(&ticks[0], 0, &mut robot);
@@ -235,6 +236,7 @@ fn manipulation_emitted(ticks: &[manipulation::Inputs]) -> u64 {
     robot.0
 }
 
+#[inline(never)]
 fn manipulation_by_hand(ticks: &[manipulation::Inputs]) -> u64 {
     let mut robot = Commands(0);
     let mut machine = by_hand::Manipulation::new(SEED, &mut robot);
@@ -283,6 +285,7 @@ fn switching_ticks(is_busy: bool) -> Vec<switching::Inputs> {
     (0..COUNT).map(reading).collect()
 }
 
+#[inline(never)]
 fn switching_emitted(ticks: &[switching::Inputs]) -> u64 {
     let (mut machine, mut robot) = (switching::Machine::new(), Commands(0));
     let Ok(_) = machine.step(&ticks[0], 0, &mut robot);
@@ -292,6 +295,7 @@ fn switching_emitted(ticks: &[switching::Inputs]) -> u64 {
     robot.0
 }
 
+#[inline(never)]
 fn switching_by_hand(ticks: &[switching::Inputs]) -> u64 {
     let mut robot = Commands(0);
     let mut machine = by_hand::Switching::new(&mut robot);
@@ -301,6 +305,7 @@ fn switching_by_hand(ticks: &[switching::Inputs]) -> u64 {
     robot.0
 }
 
+#[inline(never)]
 fn switching_by_statig(ticks: &[switching::Inputs]) -> u64 {
     let mut robot = Commands(0);
     let mut machine = by_statig::Switching.uninitialized_state_machine().init_with_context(&mut robot);
@@ -310,6 +315,7 @@ fn switching_by_statig(ticks: &[switching::Inputs]) -> u64 {
     robot.0
 }
 
+#[inline(never)]
 fn switching_by_smlang(ticks: &[switching::Inputs]) -> u64 {
     let mut robot = Commands(0);
     robot.halt();
