@@ -1,10 +1,9 @@
 //! Terms of one variable differ.
 
-use super::curve::in_units;
-use super::membership::Membership;
 use super::support::support;
 use crate::diag::{Diagnostic, rules};
 use crate::ir::{Term, Variable};
+use crate::membership::{Membership, in_units};
 
 pub(super) fn check(variable: &Variable, findings: &mut Vec<Diagnostic>) {
     let (pi, range) = in_units(variable.range);

@@ -2,13 +2,12 @@
 //!
 //! Everything is decided exactly, in rational arithmetic.
 //!
-//! Imports: base, diag, ir, kernel
+//! Imports: base, diag, ir, membership
 //! Crates: batsat, petgraph
 
 mod breakpoints;
 mod commands;
 mod coverage;
-mod curve;
 mod duplicate_terms;
 mod durations;
 mod events;
@@ -16,7 +15,6 @@ mod exits;
 mod expectations;
 mod failures;
 mod fault_table;
-mod membership;
 pub mod modes;
 pub mod network;
 mod priorities;

@@ -1,11 +1,10 @@
 //! The outermost terms hold the ends of the range.
 
-use super::curve::in_units;
-use super::membership::Membership;
 use super::support::{Cut, Interval, support};
 use crate::base::Exact;
 use crate::diag::{Diagnostic, rules};
 use crate::ir::{Shape, Term, Variable};
+use crate::membership::{Membership, in_units};
 
 /// Reports outermost terms that are 0 at their end of the range, and takes holes that are nothing else out of `gaps`.
 pub(super) fn check(variable: &Variable, gaps: &mut Vec<Interval>, findings: &mut Vec<Diagnostic>) {

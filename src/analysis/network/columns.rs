@@ -1,9 +1,8 @@
 //! The degrees that the rules name of one input, a column each; two where only bounds of them are known.
 
-use crate::analysis::curve::Curve;
-use crate::analysis::membership::Membership;
 use crate::base::Fraction;
 use crate::ir::{Literal, Variable};
+use crate::membership::{Curve, Membership};
 
 /// Curves by column.
 #[derive(Debug, Clone)]

@@ -6,9 +6,9 @@ use super::implication::implications;
 use super::sensor::Sensor;
 use super::slices::{Pattern, Slices};
 use crate::analysis::breakpoints;
-use crate::analysis::curve::in_units;
 use crate::base::{Exact, Fraction, Id};
 use crate::ir::{self, FailReading, Literal, Program, Rule};
+use crate::membership::in_units;
 
 /// What feeds an input of a network.
 #[derive(Debug, Clone)]

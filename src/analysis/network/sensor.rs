@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use super::columns::Columns;
-use crate::analysis::curve::Curve;
 use crate::analysis::support::Interval;
 use crate::base::Fraction;
 use crate::ir::FailReading;
+use crate::membership::Curve;
 
 /// The cells of an input.
 #[derive(Debug, Clone)]

@@ -1,17 +1,23 @@
-//! Membership functions as the engines take them: a curve, or two that a smooth function runs between.
+//! Membership functions as exact curves: one, or two that a smooth function runs between.
+//!
+//! Imports: base, ir, kernel
+//! Crates: –
 
-use super::curve::{Curve, Limits};
+mod curve;
+
+pub(crate) use curve::{Curve, Limits, in_units};
+
 use crate::base::{Exact, Fraction};
 use crate::ir::{Part, Shape};
 use crate::kernel;
 
 /// Two curves that a membership function runs between. They are the same where it is piecewise linear.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Membership {
-    pub(super) low: Curve,
-    pub(super) high: Curve,
+pub(crate) struct Membership {
+    pub(crate) low: Curve,
+    pub(crate) high: Curve,
     /// Its degree without a reading.
-    pub(super) absent: Fraction,
+    pub(crate) absent: Fraction,
 }
 
 /// How finely the degrees of smooth functions are told apart: in steps of `1 / STEPS`.
@@ -19,7 +25,7 @@ const STEPS: i32 = 32;
 
 impl Membership {
     /// That of a shape whose corners ascend, with readings in units of `π^pi`.
-    pub(super) fn new(shape: &Shape, pi: i8) -> Self {
+    pub(crate) fn new(shape: &Shape, pi: i8) -> Self {
         let Shape::Built(parts) = shape else { return Self::of_shape(shape, pi) };
         let mut built: Vec<Self> = Vec::with_capacity(parts.len());
         for part in parts {
@@ -45,7 +51,7 @@ impl Membership {
     }
 
     /// Whether it is known exactly, and not only within bounds.
-    pub(super) fn is_exact(&self) -> bool {
+    pub(crate) fn is_exact(&self) -> bool {
         self.low == self.high
     }
 
@@ -100,7 +106,7 @@ impl Membership {
     }
 
     /// One minus the degree. No reading belongs to a term, so without one a complement holds.
-    pub(super) fn complement(&self) -> Self {
+    pub(crate) fn complement(&self) -> Self {
         Self { low: self.high.complement(), high: self.low.complement(), absent: &Fraction::ONE - &self.absent }
     }
 

@@ -4,21 +4,21 @@ use crate::base::{Exact, Fraction};
 
 /// Linear between its knots, and constant outside.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Curve {
+pub(crate) struct Curve {
     /// In ascending order of readings.
     knots: Vec<(Fraction, Limits)>,
 }
 
 /// The degrees just before a reading, at it, and just after it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Limits {
-    pub(super) before: Fraction,
-    pub(super) at: Fraction,
-    pub(super) after: Fraction,
+pub(crate) struct Limits {
+    pub(crate) before: Fraction,
+    pub(crate) at: Fraction,
+    pub(crate) after: Fraction,
 }
 
 impl Limits {
-    pub(super) fn flat(degree: &Fraction) -> Self {
+    pub(crate) fn flat(degree: &Fraction) -> Self {
         Self { before: degree.clone(), at: degree.clone(), after: degree.clone() }
     }
 
@@ -28,19 +28,19 @@ impl Limits {
 }
 
 /// The power of π in whose units the readings of a range are kept, and the range in these units.
-pub(super) fn in_units((low, high): (Exact, Exact)) -> (i8, (Fraction, Fraction)) {
+pub(crate) fn in_units((low, high): (Exact, Exact)) -> (i8, (Fraction, Fraction)) {
     let pi = if low.is_zero() { high.pi_power() } else { low.pi_power() };
     (pi, (low.to_fraction(pi), high.to_fraction(pi)))
 }
 
 impl Curve {
-    pub(super) fn of_knots(knots: Vec<(Fraction, Limits)>) -> Self {
+    pub(crate) fn of_knots(knots: Vec<(Fraction, Limits)>) -> Self {
         Self { knots }
     }
 
     /// The curve through corners in ascending order of readings. Corners at one reading are a step, at which the largest
     /// degree counts.
-    pub(super) fn through(corners: impl IntoIterator<Item = (Fraction, Fraction)>) -> Self {
+    pub(crate) fn through(corners: impl IntoIterator<Item = (Fraction, Fraction)>) -> Self {
         let mut knots: Vec<(Fraction, Limits)> = Vec::new();
         for (at, degree) in corners {
             match knots.last_mut() {
@@ -55,12 +55,12 @@ impl Curve {
     }
 
     /// The readings at which it may bend or step.
-    pub(super) fn bends(&self) -> impl Iterator<Item = &Fraction> {
+    pub(crate) fn bends(&self) -> impl Iterator<Item = &Fraction> {
         self.knots.iter().map(|(at, _)| at)
     }
 
     /// Its degrees around a reading.
-    pub(super) fn around(&self, reading: &Fraction) -> Limits {
+    pub(crate) fn around(&self, reading: &Fraction) -> Limits {
         let after = match self.knots.binary_search_by(|(at, _)| at.cmp(reading)) {
             Ok(here) => return self.knots[here].1.clone(),
             Err(after) => after,
@@ -77,7 +77,7 @@ impl Curve {
     }
 
     /// Whether it is equal to another one over a range.
-    pub(super) fn equals(&self, other: &Self, range: &(Fraction, Fraction)) -> bool {
+    pub(crate) fn equals(&self, other: &Self, range: &(Fraction, Fraction)) -> bool {
         let (low, high) = range;
         self.bends().chain(other.bends()).chain([low, high]).filter(|at| low <= *at && *at <= high).all(|at| {
             let (one, other) = (self.around(at), other.around(at));
@@ -86,7 +86,7 @@ impl Curve {
     }
 
     /// The lowest and the highest reading of a range at which its degree is largest.
-    pub(super) fn peak(&self, range: &(Fraction, Fraction)) -> (Fraction, Fraction) {
+    pub(crate) fn peak(&self, range: &(Fraction, Fraction)) -> (Fraction, Fraction) {
         let (low, high) = range;
         let inside = self.bends().chain([low, high]).filter(|at| low <= *at && *at <= high);
         let degrees: Vec<_> = inside.map(|at| (self.around(at).at, at)).collect();
@@ -96,13 +96,13 @@ impl Curve {
     }
 
     /// One minus it.
-    pub(super) fn complement(&self) -> Self {
+    pub(crate) fn complement(&self) -> Self {
         let complement = |limits: &Limits| limits.map(|degree| &Fraction::ONE - degree);
         Self { knots: self.knots.iter().map(|(at, limits)| (at.clone(), complement(limits))).collect() }
     }
 
     /// The larger of two curves at every reading, or the smaller.
-    pub(super) fn merged(&self, other: &Self, pick: fn(Fraction, Fraction) -> Fraction) -> Self {
+    pub(crate) fn merged(&self, other: &Self, pick: fn(Fraction, Fraction) -> Fraction) -> Self {
         let mut places: Vec<&Fraction> = self.bends().chain(other.bends()).collect();
         places.sort_unstable();
         places.dedup();
@@ -133,7 +133,7 @@ impl Curve {
 
     /// Steps that bound a rising function of the degree on one side. `bound` bounds the function's value from that side,
     /// `pick` takes the bound of two, and between `cuts`, which are degrees in ascending order, the bound is constant.
-    pub(super) fn stepped(
+    pub(crate) fn stepped(
         &self,
         cuts: &[Fraction],
         pick: fn(Fraction, Fraction) -> Fraction,
