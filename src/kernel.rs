@@ -163,6 +163,278 @@ pub fn maximum(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
+/// The t-norm `product`.
+#[inline]
+pub fn product(a: f64, b: f64) -> f64 {
+    a * b
+}
+
+/// The t-norm of Łukasiewicz: `a + b - 1`, at least 0.
+#[inline]
+pub fn bounded_difference(a: f64, b: f64) -> f64 {
+    maximum(a + b - 1.0, 0.0)
+}
+
+/// The drastic t-norm: the smaller degree where the other is 1, else 0.
+#[inline]
+pub fn drastic_product(a: f64, b: f64) -> f64 {
+    if maximum(a, b) >= 1.0 { minimum(a, b) } else { 0.0 }
+}
+
+/// The t-norm of Einstein.
+#[inline]
+pub fn einstein_product(a: f64, b: f64) -> f64 {
+    a * b / (2.0 - (a + b - a * b))
+}
+
+/// The t-norm of Hamacher.
+#[inline]
+pub fn hamacher_product(a: f64, b: f64) -> f64 {
+    let either = a + b - a * b;
+    if either > 0.0 { a * b / either } else { 0.0 }
+}
+
+/// The nilpotent minimum: the smaller degree where both sum to more than 1, else 0.
+#[inline]
+pub fn nilpotent_minimum(a: f64, b: f64) -> f64 {
+    if a + b > 1.0 { minimum(a, b) } else { 0.0 }
+}
+
+/// The probabilistic sum `a + b - a b`.
+#[inline]
+pub fn probabilistic_sum(a: f64, b: f64) -> f64 {
+    minimum(a + b - a * b, 1.0)
+}
+
+/// The s-norm of Łukasiewicz: `a + b`, at most 1.
+#[inline]
+pub fn bounded_sum(a: f64, b: f64) -> f64 {
+    minimum(a + b, 1.0)
+}
+
+/// The drastic s-norm: the larger degree where the other is 0, else 1.
+#[inline]
+pub fn drastic_sum(a: f64, b: f64) -> f64 {
+    if minimum(a, b) <= 0.0 { maximum(a, b) } else { 1.0 }
+}
+
+/// The s-norm of Einstein.
+#[inline]
+pub fn einstein_sum(a: f64, b: f64) -> f64 {
+    minimum((a + b) / (1.0 + a * b), 1.0)
+}
+
+/// The s-norm of Hamacher.
+#[inline]
+pub fn hamacher_sum(a: f64, b: f64) -> f64 {
+    let both = 1.0 - a * b;
+    if both > 0.0 { minimum((a + b - 2.0 * a * b) / both, 1.0) } else { 1.0 }
+}
+
+/// The nilpotent maximum: the larger degree where both sum to less than 1, else 1.
+#[inline]
+pub fn nilpotent_maximum(a: f64, b: f64) -> f64 {
+    if a + b < 1.0 { maximum(a, b) } else { 1.0 }
+}
+
+/// The aggregation `sum`.
+#[inline]
+pub fn sum(a: f64, b: f64) -> f64 {
+    a + b
+}
+
+/// Whether a rule of this strength sets its output. A strength so small that areas could be rounded to 0 is none.
+#[inline]
+pub fn fires(strength: f64) -> bool {
+    strength >= 1e-30
+}
+
+/// A number kept between `low` and `high`; `low <= high`.
+#[inline]
+pub fn limit(x: f64, low: f64, high: f64) -> f64 {
+    maximum(minimum(x, high), low)
+}
+
+/// A mean from the sum of weights and the sum of weighted numbers; 0 without any weight.
+#[inline]
+pub fn weighted_mean(weights: f64, weighted: f64) -> f64 {
+    if weights > 0.0 { weighted / weights } else { 0.0 }
+}
+
+/// What a set holds between two degrees while it is clipped at `strength`: its area, and its moment about the point to
+/// which `moment` belongs. Both are polynomials in how far the strength reaches into the slab, which begins at the
+/// degree `floor` and is `thickness` high: the width of a piecewise-linear set at a degree is linear in the degree, so
+/// its area is a quadratic and its moment a cubic, without constant terms.
+#[inline]
+pub fn slab(strength: f64, floor: f64, thickness: f64, area: (f64, f64), moment: (f64, f64, f64)) -> (f64, f64) {
+    let height = minimum(maximum(strength - floor, 0.0), thickness);
+    (height * (area.0 + height * area.1), height * (moment.0 + height * (moment.1 + height * moment.2)))
+}
+
+/// The degree of what some sets come to at a share of a stretch, each with a strength.
+fn joined(
+    share: f64,
+    strengths: &[f64],
+    lines: &[(f64, f64)],
+    imply: fn(f64, f64) -> f64,
+    join: fn(f64, f64) -> f64,
+) -> f64 {
+    let mut degree = 0.0;
+    for (&strength, &(start, end)) in strengths.iter().zip(lines) {
+        degree = join(degree, imply(strength, start + (end - start) * share));
+    }
+    degree
+}
+
+/// The share of a stretch, above `after`, up to which what some sets come to is surely linear: where one reaches a
+/// strength, or two cross, as they are or scaled by their strengths.
+fn next_bend(after: f64, strengths: &[f64], lines: &[(f64, f64)]) -> f64 {
+    let mut next = 1.0;
+    for (strength, &(start, end)) in strengths.iter().zip(lines) {
+        for (other, &(other_start, other_end)) in strengths.iter().zip(lines) {
+            let (before, behind) = (start - other_start, end - other_end);
+            let (scaled_before, scaled_behind) =
+                (strength * start - other * other_start, strength * end - other * other_end);
+            let reached = (other - start) / (end - start);
+            let crossed = before / (before - behind);
+            let scaled = scaled_before / (scaled_before - scaled_behind);
+            // What is not a number is never between.
+            for share in [reached, crossed, scaled] {
+                if share > after && share < next {
+                    next = share;
+                }
+            }
+        }
+    }
+    next
+}
+
+/// Follows what some sets come to, each with a strength, from left to right. `stretches` are those of the range on which
+/// every set is linear: where each begins and ends, and the degrees of every set just inside its ends. Tells every linear
+/// piece of it: its ends, and its degrees at its start, in its middle and at its end. Exact; at most three bends for
+/// every pair of sets on each stretch.
+fn outline<'a>(
+    stretches: impl Iterator<Item = (f64, f64, &'a [(f64, f64)])>,
+    strengths: &[f64],
+    imply: fn(f64, f64) -> f64,
+    join: fn(f64, f64) -> f64,
+    mut piece: impl FnMut((f64, f64), (f64, f64, f64)),
+) {
+    for (from, to, lines) in stretches {
+        let (mut share, mut x) = (0.0, from);
+        while share < 1.0 {
+            let next = next_bend(share, strengths, lines);
+            let end = if next < 1.0 { from + (to - from) * next } else { to };
+            // From inside, where a bend too near to an end to be told from it does not show.
+            let degree = |part| joined(share + part * (next - share), strengths, lines, imply, join);
+            let (before, behind) = (degree(0.25), degree(0.75));
+            let reach = |near: f64, far: f64| maximum(near + 0.5 * (near - far), 0.0);
+            piece((x, end), (reach(before, behind), 0.5 * (before + behind), reach(behind, before)));
+            (share, x) = (next, end);
+        }
+    }
+}
+
+/// The center of the area of what some sets come to, each with a strength: for what is no polynomial in the strengths.
+pub fn outline_centroid<'a>(
+    stretches: impl Iterator<Item = (f64, f64, &'a [(f64, f64)])> + Clone,
+    strengths: &[f64],
+    imply: fn(f64, f64) -> f64,
+    join: fn(f64, f64) -> f64,
+) -> f64 {
+    let (mut area, mut moment) = (0.0, 0.0);
+    outline(stretches, strengths, imply, join, |(from, to), (start, _, end)| {
+        let width = to - from;
+        area += 0.5 * width * (start + end);
+        moment += width * (0.5 * from * (start + end) + width * (start + 2.0 * end) / 6.0);
+    });
+    weighted_mean(area, moment)
+}
+
+/// The smallest number that halves the area of what some sets come to, each with a strength.
+pub fn bisector<'a>(
+    stretches: impl Iterator<Item = (f64, f64, &'a [(f64, f64)])> + Clone,
+    strengths: &[f64],
+    imply: fn(f64, f64) -> f64,
+    join: fn(f64, f64) -> f64,
+) -> f64 {
+    let mut area = 0.0;
+    outline(stretches.clone(), strengths, imply, join, |(from, to), (start, _, end)| {
+        area += 0.5 * (to - from) * (start + end);
+    });
+    let (mut left, mut at) = (0.5 * area, 0.0);
+    outline(stretches, strengths, imply, join, |(from, to), (start, _, end)| {
+        let (width, piece) = (to - from, 0.5 * (to - from) * (start + end));
+        if left > 0.0 && piece > 0.0 {
+            // `start t + slope t² / 2 = left`, in the form that does not cancel.
+            let slope = (end - start) / width;
+            let root = libm::sqrt(maximum(start * start + 2.0 * slope * left, 0.0));
+            at = if left < piece { from + 2.0 * left / (start + root) } else { to };
+        }
+        left -= piece;
+    });
+    at
+}
+
+/// The smallest, the largest and the mean number at which what some sets come to, each with a strength, has its largest
+/// degree. The mean is taken over the stretches that have it, and over single numbers only where there is no stretch.
+pub fn maxima<'a>(
+    stretches: impl Iterator<Item = (f64, f64, &'a [(f64, f64)])> + Clone,
+    strengths: &[f64],
+    imply: fn(f64, f64) -> f64,
+    join: fn(f64, f64) -> f64,
+) -> (f64, f64, f64) {
+    let mut top = 0.0;
+    outline(stretches.clone(), strengths, imply, join, |_, (start, middle, end)| {
+        top = maximum(top, maximum(middle, maximum(start, end)));
+    });
+    // What is meant to be the largest degree may lie below it by rounding.
+    let level = top - top * 1e-12;
+    let (mut smallest, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
+    let (mut width, mut moment) = (0.0, 0.0);
+    outline(stretches, strengths, imply, join, |(from, to), (start, middle, end)| {
+        let is_flat = middle >= level;
+        if is_flat {
+            width += to - from;
+            moment += 0.5 * (to - from) * (from + to);
+        }
+        if is_flat || start >= level {
+            smallest = minimum(smallest, from);
+            largest = maximum(largest, from);
+        }
+        if is_flat || end >= level {
+            smallest = minimum(smallest, to);
+            largest = maximum(largest, to);
+        }
+    });
+    let middle = if width > 0.0 { moment / width } else { 0.5 * (smallest + largest) };
+    (smallest, largest, middle)
+}
+
+/// The center of the area of what some sets come to, each with a strength, from their degrees in the middle of equal
+/// parts of the range from `low` to `high`: for each part those of all sets.
+pub fn midpoints<'a>(
+    parts: impl ExactSizeIterator<Item = &'a [f64]>,
+    strengths: &[f64],
+    imply: fn(f64, f64) -> f64,
+    join: fn(f64, f64) -> f64,
+    low: f64,
+    high: f64,
+) -> f64 {
+    let width = (high - low) / parts.len() as f64;
+    let (mut area, mut moment, mut position) = (0.0, 0.0, 0.5);
+    for degrees in parts {
+        let mut degree = 0.0;
+        for (&strength, &of_set) in strengths.iter().zip(degrees) {
+            degree = join(degree, imply(strength, of_set));
+        }
+        area += degree;
+        moment += degree * (low + position * width);
+        position += 1.0;
+    }
+    weighted_mean(area, moment)
+}
+
 /// Whether an event's rules call for its flag: the contributor outweighs the detractor strictly, so a tie does not.
 #[inline]
 pub fn outweighs(contributor: f64, detractor: f64) -> bool {
@@ -305,6 +577,33 @@ mod tests {
         assert_eq!(safe(7.0, true), 4.0);
         assert_eq!(safe(-7.0, true), -4.0);
         assert_eq!(safe(3.0, true), 3.0);
+    }
+
+    #[test]
+    fn a_clipped_triangle_is_a_polynomial_in_its_strength() {
+        // From 0 over 1 to 2, about 1: at the degree u it is 2 (1 - u) wide.
+        let half = slab(0.5, 0.0, 1.0, (2.0, -1.0), (0.0, 0.0, 0.0));
+        assert_eq!(half, (0.75, 0.0));
+        assert_eq!(slab(2.0, 0.0, 1.0, (2.0, -1.0), (0.0, 0.0, 0.0)).0, 1.0);
+        // Above the degree 1/2 it is as wide as a triangle of half the size.
+        assert_eq!([0.25, 0.5, 1.0].map(|s| slab(s, 0.5, 0.5, (1.0, -1.0), (0.0, 0.0, 0.0)).0), [0.0, 0.0, 0.25]);
+        assert_eq!((weighted_mean(0.0, 0.0), weighted_mean(2.0, 3.0), limit(f64::MAX, -1.0, 1.0)), (0.0, 1.5, 1.0));
+    }
+
+    #[test]
+    fn outlines_bend_where_sets_cross_and_are_clipped() {
+        let stretches = || [(0.0, 4.0, [(1.0, 0.0), (0.0, 1.0)].as_slice())].into_iter();
+        let clipped = maxima(stretches(), &[0.75, 0.75], minimum, maximum);
+        assert_eq!(clipped, (0.0, 4.0, 2.0));
+        assert_eq!(maxima(stretches(), &[0.5, 1.0], product, maximum), (4.0, 4.0, 4.0));
+        let middle = |strengths| bisector(stretches(), strengths, minimum, maximum);
+        assert_eq!([middle(&[1.0, 1.0]), middle(&[0.25, 0.25])], [2.0, 2.0]);
+        // Two triangles of which one covers the other's half: 1 to 0, and half of 0 to 1, cross at 8/3.
+        let center = outline_centroid(stretches(), &[1.0, 0.5], product, maximum);
+        let area = 0.5 * (8.0 / 3.0) * (1.0 + 1.0 / 3.0) + 0.5 * (4.0 / 3.0) * (1.0 / 3.0 + 0.5);
+        let moment =
+            (8.0_f64 / 3.0).powi(2) / 2.0 - (8.0_f64 / 3.0).powi(3) / 12.0 + (64.0 - (8.0_f64 / 3.0).powi(3)) / 24.0;
+        assert!((center - moment / area).abs() < 1e-15);
     }
 
     #[test]

@@ -1,16 +1,17 @@
 //! Corners of a membership function ascend.
 
-use crate::base::Exact;
+use crate::base::{Exact, Unit};
 use crate::diag::{Diagnostic, rules};
-use crate::ir::{Part, Shape, Term, Variable};
+use crate::ir::{Part, Shape, Term};
 
-pub(super) fn check(variable: &Variable, findings: &mut Vec<Diagnostic>) {
-    for term in &variable.terms {
+/// Judges terms of a variable or of an output with that unit.
+pub(super) fn check(terms: &[Term], unit: &Unit, findings: &mut Vec<Diagnostic>) {
+    for term in terms {
         match &term.shape {
             Shape::Ramp { zero_at, one_at } if zero_at == one_at => findings.push(ramp_without_direction(term)),
             shape => {
                 if let Some((before, after)) = descent(shape) {
-                    let shown = |value: Exact| variable.unit.show(value.to_f64());
+                    let shown = |value: Exact| unit.show(value.to_f64());
                     findings.push(out_of_order(term, &shown(before), &shown(after)));
                 }
             }

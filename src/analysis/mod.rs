@@ -17,6 +17,7 @@ mod failures;
 mod fault_table;
 pub mod modes;
 pub mod network;
+mod outputs;
 mod priorities;
 mod reachability;
 mod requirements;
@@ -38,7 +39,7 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
     expectations::check(program, &matters, &mut findings);
     let matters = |symbol: &Symbol| matters(symbol.span.file);
     for variable in program.variables.values().filter(|variable| matters(&variable.symbol)) {
-        breakpoints::check(variable, &mut findings);
+        breakpoints::check(&variable.terms, &variable.unit, &mut findings);
         // What a broken term would have held is unknown; it was reported.
         let in_order = variable.terms.iter().all(|term| breakpoints::in_order(&term.shape));
         if in_order && !variable.incomplete && !variable.terms.is_empty() {
@@ -48,6 +49,7 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
     }
     for (id, _) in program.networks.iter().filter(|(_, network)| matters(&network.symbol)) {
         events::check(program, id, &matters, &mut findings);
+        outputs::check(program, id, faults, &mut findings);
     }
     for diagram in program.diagrams.values().filter(|diagram| matters(&diagram.symbol)) {
         priorities::check(diagram, &mut findings);
@@ -61,6 +63,7 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
             failures::check(&scene, &examined, faults, matters, &mut findings);
         }
         events::check_noise(program, diagram, &mut findings);
+        outputs::check_senses(program, diagram, &mut findings);
     }
     for (id, _) in program.networks.iter().filter(|(_, network)| matters(&network.symbol)) {
         failures::check_network(program, id, faults, &mut findings);

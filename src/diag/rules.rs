@@ -154,6 +154,9 @@ rules! {
     UNSTEADY_AT_REST "LM0524" "unsteady-at-rest" Info "a flag that the least noise changes while the robot is at rest"
     NOISE_ABOVE_MARGIN "LM0525" "noise-above-margin" Warning "a flag that sensor noise changes while the robot is at rest"
     WEAK_TIE "LM0526" "weak-tie" Info "both sides of an event equally strong, not above 0.5, around some readings"
+    OUTPUT_GAP "LM0527" "output-gap" Error "an output without `default` that no rule sets at some readings"
+    SET_WITHOUT_AREA "LM0528" "set-without-area" Error "a set of an output that its defuzzifier cannot see"
+    NOT_EXACT "LM0529" "not-exact" Error "sets of an output that cannot be defuzzified exactly, as is asked"
 
     FAIL_READING_OUTSIDE_RANGE "LM0601" "fail-reading-outside-range" Error "a fail reading outside the sensor's range"
     SINGLE_POINT_OF_FAILURE "LM0602" "single-point-of-failure" Warning "an event of several sensors that one failure keeps from being set"

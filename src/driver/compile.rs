@@ -18,6 +18,8 @@ pub enum NotCompiled {
     Ambiguous(String, Vec<String>),
     /// No robot of that name provides what a behavior is written on: the behavior's name.
     NotWrittenFor(String),
+    /// A network has continuous outputs, which are not compiled yet: its name.
+    Output(String),
 }
 
 impl Analysis {
@@ -50,6 +52,9 @@ impl Analysis {
             .collect();
         if diagrams.is_empty() && networks.is_empty() {
             return Err(NotCompiled::Nothing);
+        }
+        if let Some(network) = networks.iter().find(|network| !network.outputs.is_empty()) {
+            return Err(NotCompiled::Output(network.name.clone()));
         }
         let program =
             emit::Program { roots: &self.roots, sources: &self.sources, networks: &networks, diagrams: &diagrams };

@@ -219,7 +219,20 @@ impl<'w> Block<'w> {
             | Step::Hold { .. }
             | Step::Lasts { .. }
             | Step::Latched { .. }
-            | Step::Count { .. } => return self.kept_value(node),
+            | Step::Count { .. }
+            // Programs with outputs are not emitted.
+            | Step::TNorm { .. }
+            | Step::SNorm { .. }
+            | Step::Weigh { .. }
+            | Step::Linear { .. }
+            | Step::Centroid { .. }
+            | Step::Outline { .. }
+            | Step::Midpoints { .. }
+            | Step::Mean { .. }
+            | Step::Limit { .. }
+            | Step::Fires { .. }
+            | Step::Otherwise { .. }
+            | Step::Keep { .. } => return self.kept_value(node),
         })
     }
 

@@ -79,11 +79,32 @@ impl<'a> Graph<'a> {
             Step::Degree { of, .. }
             | Step::Complement { of, .. }
             | Step::Very { of, .. }
-            | Step::Somewhat { of, .. } => reals.push(*of),
+            | Step::Somewhat { of, .. }
+            | Step::Weigh { of, .. }
+            | Step::Limit { of, .. }
+            | Step::Fires { of, .. } => reals.push(*of),
             Step::Minimum { of, .. } | Step::Maximum { of, .. } => reals.extend(self.real_list(of)),
+            Step::Linear { factors, .. } => {
+                reals.extend(part(&self.code.factors, factors).iter().map(|(real, _)| *real));
+            }
+            Step::Centroid { slabs, .. } => {
+                reals.extend(part(&self.code.slabs, slabs).iter().map(|slab| slab.strength));
+            }
+            Step::Outline { strengths, .. } | Step::Midpoints { strengths, .. } => {
+                reals.extend(self.real_list(strengths));
+            }
+            Step::Mean { weights, values, .. } => {
+                reals.extend(self.real_list(weights).iter().chain(self.real_list(values)));
+            }
+            Step::Otherwise { fired, of, .. } | Step::Keep { fired, of, .. } => {
+                reals.push(*of);
+                bools.push(*fired);
+            }
             Step::Outweighs { contributor, detractor, .. }
             | Step::OutweighsWithHysteresis { contributor, detractor, .. } => reals.extend([contributor, detractor]),
-            Step::Compare { left, right, .. } => reals.extend([left, right]),
+            Step::Compare { left, right, .. } | Step::TNorm { left, right, .. } | Step::SNorm { left, right, .. } => {
+                reals.extend([left, right]);
+            }
             Step::Lasts { of, .. }
             | Step::Hold { of, .. }
             | Step::Rising { of, .. }
@@ -125,8 +146,20 @@ fn result(step: &Step) -> Value {
         | Step::Somewhat { to, .. }
         | Step::Minimum { to, .. }
         | Step::Maximum { to, .. }
+        | Step::TNorm { to, .. }
+        | Step::SNorm { to, .. }
+        | Step::Weigh { to, .. }
+        | Step::Linear { to, .. }
+        | Step::Centroid { to, .. }
+        | Step::Outline { to, .. }
+        | Step::Midpoints { to, .. }
+        | Step::Mean { to, .. }
+        | Step::Limit { to, .. }
+        | Step::Otherwise { to, .. }
+        | Step::Keep { to, .. }
         | Step::Count { to, .. } => Value::Real(to),
-        Step::Outweighs { to, .. }
+        Step::Fires { to, .. }
+        | Step::Outweighs { to, .. }
         | Step::OutweighsWithHysteresis { to, .. }
         | Step::Lasts { to, .. }
         | Step::Hold { to, .. }

@@ -49,7 +49,8 @@ pub enum Taken {
     },
 }
 
-/// All that the next ticks depend on besides their inputs, times only as far as the next tick can tell.
+/// All that the modes of the next ticks depend on besides their inputs, times only as far as the next tick can tell.
+/// What outputs keep only reaches commands.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Phase {
     mode: u32,

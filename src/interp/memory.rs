@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::Inputs;
 use crate::kernel::{self, Stopwatch};
-use crate::plan::{Bool, Code, Comparison, Input, Real, Shape, Step};
+use crate::plan::{Aggregation, Bool, Code, Comparison, Find, Implication, Input, Real, SNorm, Shape, Step, TNorm};
 
 #[derive(Debug, Clone)]
 pub(super) struct Memory {
@@ -14,6 +14,9 @@ pub(super) struct Memory {
     stopwatches: Vec<Stopwatch>,
     counters: Vec<u32>,
     latches: Vec<bool>,
+    kept: Vec<f64>,
+    /// The strengths of the sets that are being defuzzified.
+    strengths: Vec<f64>,
     /// Nanoseconds since the active mode was entered.
     pub(super) dwell: u64,
 }
@@ -27,6 +30,8 @@ impl Memory {
             stopwatches: vec![Stopwatch::default(); code.stopwatches as usize],
             counters: vec![0; code.counters as usize],
             latches: vec![false; code.latches as usize],
+            kept: code.kept.clone(),
+            strengths: Vec::with_capacity(code.real_lists.len()),
             dwell: 0,
         }
     }
@@ -100,6 +105,33 @@ impl Memory {
                     let operands = code.real_lists[range(of)].iter().map(|&real| self.real(real));
                     self.reals[to as usize] = operands.reduce(kernel::maximum).unwrap_or(0.0);
                 }
+                Step::TNorm { norm, left, right, to } => {
+                    self.reals[to as usize] = t_norm(norm)(self.real(left), self.real(right));
+                }
+                Step::SNorm { norm, left, right, to } => {
+                    self.reals[to as usize] = s_norm(norm)(self.real(left), self.real(right));
+                }
+                Step::Weigh { of, weight, to } => self.reals[to as usize] = kernel::product(self.real(of), weight),
+                Step::Linear { constant, ref factors, to } => {
+                    let products = code.factors[range(factors)].iter().map(|&(real, factor)| self.real(real) * factor);
+                    self.reals[to as usize] = products.fold(constant, kernel::sum);
+                }
+                Step::Centroid { .. } | Step::Outline { .. } | Step::Midpoints { .. } | Step::Mean { .. } => {
+                    self.defuzzify(code, step);
+                }
+                Step::Limit { of, low, high, to } => {
+                    self.reals[to as usize] = kernel::limit(self.real(of), low, high);
+                }
+                Step::Fires { of, to } => self.bools[to as usize] = kernel::fires(self.real(of)),
+                Step::Otherwise { fired, of, otherwise, to } => {
+                    self.reals[to as usize] = if self.bool(fired) { self.real(of) } else { otherwise };
+                }
+                Step::Keep { fired, of, kept, to } => {
+                    if self.bool(fired) {
+                        self.kept[kept as usize] = self.real(of);
+                    }
+                    self.reals[to as usize] = self.kept[kept as usize];
+                }
                 Step::Outweighs { contributor, detractor, to } => {
                     self.bools[to as usize] = kernel::outweighs(self.real(contributor), self.real(detractor));
                 }
@@ -157,6 +189,52 @@ impl Memory {
         }
     }
 
+    /// A number from sets or numbers, each with a strength.
+    fn defuzzify(&mut self, code: &Code, step: &Step) {
+        let mut of_sets = std::mem::take(&mut self.strengths);
+        of_sets.clear();
+        let list = |of: &Range<u32>| code.real_lists[range(of)].iter().map(|&real| self.real(real));
+        if let Step::Outline { strengths, .. } | Step::Midpoints { strengths, .. } = step {
+            of_sets.extend(list(strengths));
+        }
+        let (value, to) = match *step {
+            Step::Centroid { ref slabs, center, to } => {
+                let held = code.slabs[range(slabs)].iter().map(|slab| {
+                    kernel::slab(self.real(slab.strength), slab.floor, slab.thickness, slab.area, slab.moment)
+                });
+                let (area, moment) = held.fold((0.0, 0.0), |sum, slab| (sum.0 + slab.0, sum.1 + slab.1));
+                (center + kernel::weighted_mean(area, moment), to)
+            }
+            Step::Outline { find, implication, aggregation, ref stretches, to, .. } => {
+                let stretches = code.stretches[range(stretches)].iter();
+                let stretches = stretches.map(|of| (of.from, of.to, &code.points[range(&of.lines)]));
+                let (imply, join) = (implied_by(implication), joined_by(aggregation));
+                let found = match find {
+                    Find::Centroid => kernel::outline_centroid(stretches, &of_sets, imply, join),
+                    Find::Bisector => kernel::bisector(stretches, &of_sets, imply, join),
+                    Find::SmallestOfMaximum => kernel::maxima(stretches, &of_sets, imply, join).0,
+                    Find::LargestOfMaximum => kernel::maxima(stretches, &of_sets, imply, join).1,
+                    Find::MeanOfMaximum => kernel::maxima(stretches, &of_sets, imply, join).2,
+                };
+                (found, to)
+            }
+            Step::Midpoints { implication, aggregation, ref samples, low, high, to, .. } => {
+                let parts = code.samples[range(samples)].chunks_exact(of_sets.len().max(1));
+                let (imply, join) = (implied_by(implication), joined_by(aggregation));
+                (kernel::midpoints(parts, &of_sets, imply, join, low, high), to)
+            }
+            Step::Mean { ref weights, ref values, to } => {
+                let weighted = list(weights)
+                    .zip(list(values))
+                    .fold((0.0, 0.0), |sum, (weight, value)| (sum.0 + weight, sum.1 + kernel::product(weight, value)));
+                (kernel::weighted_mean(weighted.0, weighted.1), to)
+            }
+            _ => return,
+        };
+        self.reals[to as usize] = value;
+        self.strengths = of_sets;
+    }
+
     /// What a truth value was on the tick before; remembers what it is now.
     fn remember(&mut self, of: Bool, memory: u32) -> bool {
         let now = self.bool(of);
@@ -180,6 +258,44 @@ fn degree(x: f64, shape: &Shape, points: &[(f64, f64)]) -> f64 {
         Shape::Fall([a, b]) => kernel::fall(x, a, b),
         Shape::RiseAndFall([a, b, c, d]) => kernel::rise_and_fall(x, a, b, c, d),
         Shape::Cosine([center, width]) => kernel::cosine(x, center, width),
+    }
+}
+
+fn t_norm(norm: TNorm) -> fn(f64, f64) -> f64 {
+    match norm {
+        TNorm::Minimum => kernel::minimum,
+        TNorm::Product => kernel::product,
+        TNorm::Bounded => kernel::bounded_difference,
+        TNorm::Drastic => kernel::drastic_product,
+        TNorm::Einstein => kernel::einstein_product,
+        TNorm::Hamacher => kernel::hamacher_product,
+        TNorm::Nilpotent => kernel::nilpotent_minimum,
+    }
+}
+
+fn s_norm(norm: SNorm) -> fn(f64, f64) -> f64 {
+    match norm {
+        SNorm::Maximum => kernel::maximum,
+        SNorm::Probabilistic => kernel::probabilistic_sum,
+        SNorm::Bounded => kernel::bounded_sum,
+        SNorm::Drastic => kernel::drastic_sum,
+        SNorm::Einstein => kernel::einstein_sum,
+        SNorm::Hamacher => kernel::hamacher_sum,
+        SNorm::Nilpotent => kernel::nilpotent_maximum,
+    }
+}
+
+fn implied_by(implication: Implication) -> fn(f64, f64) -> f64 {
+    match implication {
+        Implication::Minimum => kernel::minimum,
+        Implication::Product => kernel::product,
+    }
+}
+
+fn joined_by(aggregation: Aggregation) -> fn(f64, f64) -> f64 {
+    match aggregation {
+        Aggregation::Maximum => kernel::maximum,
+        Aggregation::Sum => kernel::sum,
     }
 }
 

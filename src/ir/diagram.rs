@@ -129,4 +129,11 @@ pub enum Argument {
         /// The upper end.
         high: Exact,
     },
+    /// An output of the diagram's sense at that position.
+    Output {
+        /// The position of the sense in its diagram.
+        sense: u32,
+        /// The position of the output in its network.
+        output: u32,
+    },
 }

@@ -1,6 +1,6 @@
 //! Fuzzy variables, networks, and their rules as minima of maxima.
 
-use super::Symbol;
+use super::{Inference, Output, Symbol};
 use crate::base::{Exact, Id, Span, Unit};
 
 /// A fuzzy variable: readings and the sets they belong to.
@@ -109,6 +109,10 @@ pub struct Network {
     pub inputs: Vec<NetworkInput>,
     /// Its events in order.
     pub events: Vec<Event>,
+    /// How its outputs are inferred.
+    pub inference: Inference,
+    /// Its continuous outputs in order.
+    pub outputs: Vec<Output>,
     /// Whether something in it was broken, reported and left out; then nothing can be said of what it lacks.
     pub incomplete: bool,
 }

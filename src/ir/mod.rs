@@ -6,12 +6,17 @@
 mod diagram;
 mod expr;
 mod fusion;
+mod output;
 mod robot;
 mod trial;
 
 pub use diagram::{Argument, Call, Diagram, Flag, Layer, Mode, Platform, Sense, Transition};
 pub use expr::{Comparison, Expr, Op, Type};
 pub use fusion::{Clause, Event, FailReading, Literal, Network, NetworkInput, Part, Rule, Shape, Term, Variable};
+pub use output::{
+    AGGREGATIONS, Aggregation, Consequent, DEFUZZIFIERS, Defuzzifier, IMPLICATIONS, Implication, Inference, Linear,
+    Output, OutputRule, Rest, S_NORMS, SNorm, Statement, T_NORMS, TNorm,
+};
 pub use robot::{
     Action, Body, BodyArgument, BodyCommand, BodyCommandKind, DifferentialDrive, Interface, Parameter, Robot, Sensor,
     SensorSource,

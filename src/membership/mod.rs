@@ -4,8 +4,14 @@
 //! Crates: –
 
 mod curve;
+mod function;
+mod largest;
+mod overlap;
 
 pub(crate) use curve::{Curve, Limits, in_units};
+pub(crate) use function::function;
+pub(crate) use largest::middle_of_largest;
+pub(crate) use overlap::overlaps;
 
 use crate::base::{Exact, Fraction};
 use crate::ir::{Part, Shape};

@@ -9,7 +9,7 @@ use crate::ir;
 
 /// What a value is computed from; two values computed from the same are one.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-enum Key {
+pub(super) enum Key {
     Read(u32),
     Constant(u64),
     Degree(Real, ir::Shape),
@@ -18,6 +18,10 @@ enum Key {
     Somewhat(Real),
     Minimum(Vec<Real>),
     Maximum(Vec<Real>),
+    TNorm(ir::TNorm, Real, Real),
+    SNorm(ir::SNorm, Real, Real),
+    Weigh(Real, u64),
+    Fires(Real),
     Failed(u32),
     Compare(ir::Comparison, Real, Real),
     After(u64),
@@ -47,6 +51,8 @@ pub(super) struct Names<'a> {
     pub(super) input: &'a dyn Fn(Id<ir::Sensor>) -> u32,
     /// The flag of each event, by sense.
     pub(super) events: &'a [Vec<Bool>],
+    /// The value of each output, by sense.
+    pub(super) outputs: &'a [Vec<Real>],
     /// The named flags that have been emitted.
     pub(super) flags: &'a [Bool],
 }
@@ -118,7 +124,7 @@ impl<'a> Builder<'a> {
         self.part.as_mut().unwrap_or(&mut self.common).insert(key, slot);
     }
 
-    fn real(&mut self, key: Key, step: impl FnOnce(&mut Code, Real) -> Step) -> Real {
+    pub(super) fn real(&mut self, key: Key, step: impl FnOnce(&mut Code, Real) -> Step) -> Real {
         self.known(&key).unwrap_or_else(|| {
             let to = self.new_real();
             let step = step(&mut self.code, to);
@@ -128,7 +134,7 @@ impl<'a> Builder<'a> {
         })
     }
 
-    fn bool(&mut self, key: Key, step: impl FnOnce(&mut Code, Bool) -> Step) -> Bool {
+    pub(super) fn bool(&mut self, key: Key, step: impl FnOnce(&mut Code, Bool) -> Step) -> Bool {
         self.known(&key).unwrap_or_else(|| {
             let to = self.new_bool();
             let step = step(&mut self.code, to);
@@ -184,18 +190,18 @@ impl<'a> Builder<'a> {
         self.real(Key::Degree(of, shape.clone()), |code, to| Step::Degree { of, shape: lower_shape(shape, code), to })
     }
 
-    fn complement(&mut self, of: Real) -> Real {
+    pub(super) fn complement(&mut self, of: Real) -> Real {
         self.real(Key::Complement(of), |_, to| Step::Complement { of, to })
     }
 
-    fn minimum(&mut self, of: &[Real]) -> Real {
+    pub(super) fn minimum(&mut self, of: &[Real]) -> Real {
         if let &[single] = of {
             return single;
         }
         self.real(Key::Minimum(of.to_vec()), |code, to| Step::Minimum { of: list(&mut code.real_lists, of), to })
     }
 
-    fn maximum(&mut self, of: &[Real]) -> Real {
+    pub(super) fn maximum(&mut self, of: &[Real]) -> Real {
         if let &[single] = of {
             return single;
         }
@@ -240,17 +246,19 @@ impl<'a> Builder<'a> {
 
     /// Rows with `_` and sets stay factored: the minimum over inputs of the maximum over terms.
     fn strength(&mut self, rule: &ir::Rule, inputs: &[ir::NetworkInput], readings: &[Real]) -> Real {
-        let clauses = rule.clauses.iter().map(|clause| {
-            let (reading, variable) = (readings[clause.input as usize], inputs[clause.input as usize].variable);
-            let degrees = clause.any_of.iter().map(|literal| {
-                let degree = self.degree(reading, variable, literal.term);
-                if literal.negated { self.complement(degree) } else { degree }
-            });
-            let degrees: Vec<_> = degrees.collect();
-            self.maximum(&degrees)
-        });
+        let clauses = rule.clauses.iter().map(|clause| self.clause(clause, inputs, readings));
         let clauses: Vec<_> = clauses.collect();
         self.minimum(&clauses)
+    }
+
+    pub(super) fn clause(&mut self, clause: &ir::Clause, inputs: &[ir::NetworkInput], readings: &[Real]) -> Real {
+        let (reading, variable) = (readings[clause.input as usize], inputs[clause.input as usize].variable);
+        let degrees = clause.any_of.iter().map(|literal| {
+            let degree = self.degree(reading, variable, literal.term);
+            if literal.negated { self.complement(degree) } else { degree }
+        });
+        let degrees: Vec<_> = degrees.collect();
+        self.maximum(&degrees)
     }
 
     /// The value of a condition or operand, emitted where it is not known yet.
@@ -369,7 +377,7 @@ fn next(count: &mut u32) -> u32 {
     *count - 1
 }
 
-fn list(lists: &mut Vec<u32>, of: &[u32]) -> Range<u32> {
+pub(super) fn list(lists: &mut Vec<u32>, of: &[u32]) -> Range<u32> {
     let start = lists.len() as u32;
     lists.extend(of);
     start..lists.len() as u32

@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use super::builder::{Builder, EventSlots, Names, reachable};
+use super::output::OutputSlots;
 use super::{
-    Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Origin, Plan, Real, Sense, Transition,
-    input, origin,
+    Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Origin, Output, Plan, Real, Sense,
+    Transition, input, origin,
 };
 use crate::base::Id;
 use crate::ir;
@@ -51,7 +52,8 @@ pub fn build_on(
     let mut builder = Builder::new(program);
 
     let (mut senses, mut events, mut strengths) = (Vec::new(), Vec::new(), Vec::new());
-    let mut event_flags: Vec<Vec<Bool>> = Vec::new();
+    let (mut event_flags, mut outputs): (Vec<Vec<Bool>>, Vec<Output>) = (Vec::new(), Vec::new());
+    let mut output_values: Vec<Vec<Real>> = Vec::new();
     for sense in &diagram.senses {
         let readings: Vec<Real> = sense.inputs.iter().map(|&sensor| builder.read(platform.input(sensor))).collect();
         let slots = builder.events(sense.network, &readings);
@@ -64,6 +66,14 @@ pub fn build_on(
             events.push(Event { name, origin: origin(&event.symbol), contributor, detractor, flag });
             strengths.push(of_rules);
         }
+        let slots = builder.outputs(sense.network, &readings);
+        output_values.push(slots.iter().map(|slots| slots.value).collect());
+        let declared = &program.networks[sense.network].outputs;
+        for (output, OutputSlots { value, fired, strengths }) in declared.iter().zip(slots) {
+            let name = format!("{}.{}", sense.symbol.name, output.symbol.name);
+            let origin = origin(&output.symbol);
+            outputs.push(Output { name, origin, unit: output.unit.clone(), value, fired, strengths });
+        }
         senses.push(Sense {
             name: sense.symbol.name.clone(),
             network: sense.network.index() as u32,
@@ -73,10 +83,11 @@ pub fn build_on(
     }
     let mut flags: Vec<Bool> = Vec::new();
     for flag in diagram.flags.values() {
-        let value = builder.expr(flag.condition, &Names { input: &input_of, events: &event_flags, flags: &flags });
+        let names = Names { input: &input_of, events: &event_flags, outputs: &output_values, flags: &flags };
+        let value = builder.expr(flag.condition, &names);
         flags.push(value);
     }
-    let names = Names { input: &input_of, events: &event_flags, flags: &flags };
+    let names = Names { input: &input_of, events: &event_flags, outputs: &output_values, flags: &flags };
     // What remembers must run on every tick, whichever mode is active.
     let of_flags = diagram.flags.values().map(|flag| flag.condition);
     let of_modes = diagram.modes.values().flat_map(|mode| &mode.transitions).map(|transition| transition.condition);
@@ -112,6 +123,7 @@ pub fn build_on(
         senses,
         events,
         strengths,
+        outputs,
         flags: diagram
             .flags
             .values()
@@ -251,9 +263,9 @@ impl<'a> Parts<'a> {
 
     fn mode(&mut self, id: Id<ir::Mode>, mode: &ir::Mode, builder: &mut Builder<'_>, names: &Names<'_>) -> Mode {
         let draws = self.draws.len() as u32;
-        let on_enter = self.calls(&mode.on_enter, builder);
-        let actions = self.calls(&mode.actions, builder);
-        let on_exit = self.calls(&mode.on_exit, builder);
+        let on_enter = self.calls(&mode.on_enter, builder, names);
+        let actions = self.calls(&mode.actions, builder, names);
+        let on_exit = self.calls(&mode.on_exit, builder, names);
         let draws = draws..self.draws.len() as u32;
         let required = self.required.len() as u32;
         self.required.extend(mode.requires.iter().map(|&(sensor, _)| self.platform.input(sensor)));
@@ -275,7 +287,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    fn calls(&mut self, calls: &[ir::Call], builder: &mut Builder<'_>) -> Range<u32> {
+    fn calls(&mut self, calls: &[ir::Call], builder: &mut Builder<'_>, names: &Names<'_>) -> Range<u32> {
         let start = self.calls.len() as u32;
         for call in calls {
             let first = self.arguments.len() as u32;
@@ -287,6 +299,7 @@ impl<'a> Parts<'a> {
                         self.draws.push(Draw { low: low.to_f64(), high: high.to_f64(), to });
                         to
                     }
+                    ir::Argument::Output { sense, output } => names.outputs[*sense as usize][*output as usize],
                 };
                 self.arguments.push(real);
             }

@@ -1,11 +1,13 @@
 //! Checked IR to its ordered executable form: every default decided, every step in order.
 //!
-//! Imports: base, diag, ir
+//! Imports: base, diag, ir, membership
 //! Crates: –
 
 mod builder;
 mod diagram;
 mod network;
+mod output;
+mod slabs;
 mod types;
 
 pub use diagram::{build, build_alone, build_on, build_scenario};

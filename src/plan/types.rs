@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::base::Span;
-pub use crate::ir::Comparison;
+pub use crate::ir::{Aggregation, Comparison, Implication, SNorm, TNorm};
 
 /// A number of the plan's memory.
 pub type Real = u32;
@@ -23,6 +23,16 @@ pub struct Code {
     pub bool_lists: Vec<Bool>,
     /// The points of piecewise-linear shapes.
     pub points: Vec<(f64, f64)>,
+    /// What sets hold between two degrees.
+    pub slabs: Vec<Slab>,
+    /// Stretches of outputs on which their sets are linear.
+    pub stretches: Vec<Stretch>,
+    /// Degrees of sets in the middle of parts of their ranges, part by part.
+    pub samples: Vec<f64>,
+    /// Numbers and their factors in linear expressions.
+    pub factors: Vec<(Real, f64)>,
+    /// What the outputs that keep their last value are before a rule fires.
+    pub kept: Vec<f64>,
     /// How many numbers there are.
     pub reals: u32,
     /// How many truth values there are.
@@ -95,6 +105,138 @@ pub enum Step {
     Maximum {
         /// The list.
         of: Range<u32>,
+        /// Where it goes.
+        to: Real,
+    },
+    /// Two statements together.
+    TNorm {
+        /// How.
+        norm: TNorm,
+        /// The strength of one.
+        left: Real,
+        /// The strength of the other.
+        right: Real,
+        /// Where it goes.
+        to: Real,
+    },
+    /// One statement or another.
+    SNorm {
+        /// How.
+        norm: SNorm,
+        /// The strength of one.
+        left: Real,
+        /// The strength of the other.
+        right: Real,
+        /// Where it goes.
+        to: Real,
+    },
+    /// A strength times the weight of its rule.
+    Weigh {
+        /// The strength.
+        of: Real,
+        /// The weight.
+        weight: f64,
+        /// Where it goes.
+        to: Real,
+    },
+    /// A constant plus the products of a span of [`Code::factors`], in their order.
+    Linear {
+        /// The constant.
+        constant: f64,
+        /// The products.
+        factors: Range<u32>,
+        /// Where it goes.
+        to: Real,
+    },
+    /// `center` plus the mean of the sums, in order, of what a span of [`Code::slabs`] holds: the centroid of clipped
+    /// sets, where the largest degree counts, as area and moment by inclusion and exclusion; that of clipped or scaled
+    /// sets, where degrees are added.
+    Centroid {
+        /// The slabs.
+        slabs: Range<u32>,
+        /// What their moments are about.
+        center: f64,
+        /// Where it goes.
+        to: Real,
+    },
+    /// What is found by following the outline of sets over a span of [`Code::stretches`].
+    Outline {
+        /// What is found.
+        find: Find,
+        /// What a strength makes of a set.
+        implication: Implication,
+        /// How sets become one.
+        aggregation: Aggregation,
+        /// The stretches.
+        stretches: Range<u32>,
+        /// The strengths of the sets, a list of [`Code::real_lists`].
+        strengths: Range<u32>,
+        /// Where it goes.
+        to: Real,
+    },
+    /// `kernel::midpoints` of sets.
+    Midpoints {
+        /// What a strength makes of a set.
+        implication: Implication,
+        /// How sets become one.
+        aggregation: Aggregation,
+        /// The degrees of all sets for each part of the range, a span of [`Code::samples`].
+        samples: Range<u32>,
+        /// The strengths of the sets, a list of [`Code::real_lists`].
+        strengths: Range<u32>,
+        /// The lower end of the range.
+        low: f64,
+        /// The upper end of the range.
+        high: f64,
+        /// Where it goes.
+        to: Real,
+    },
+    /// The mean of some numbers by some weights: sums in order, from 0.
+    Mean {
+        /// The weights, a list of [`Code::real_lists`].
+        weights: Range<u32>,
+        /// The numbers, a list of [`Code::real_lists`].
+        values: Range<u32>,
+        /// Where it goes.
+        to: Real,
+    },
+    /// `kernel::limit`
+    Limit {
+        /// The number.
+        of: Real,
+        /// The least that it can be.
+        low: f64,
+        /// The most that it can be.
+        high: f64,
+        /// Where it goes.
+        to: Real,
+    },
+    /// `kernel::fires`
+    Fires {
+        /// The strength of the strongest rule.
+        of: Real,
+        /// Where it goes.
+        to: Bool,
+    },
+    /// A number where a rule fired, and a fixed one elsewhere.
+    Otherwise {
+        /// Whether a rule fired.
+        fired: Bool,
+        /// The number where it did.
+        of: Real,
+        /// The number where it did not.
+        otherwise: f64,
+        /// Where it goes.
+        to: Real,
+    },
+    /// A number where a rule fired, and elsewhere what it was when one fired last.
+    Keep {
+        /// Whether a rule fired.
+        fired: Bool,
+        /// The number where it did.
+        of: Real,
+        /// Where it is kept, by its position in [`Code::kept`].
+        kept: u32,
         /// Where it goes.
         to: Real,
     },
@@ -240,6 +382,47 @@ pub enum Step {
     },
 }
 
+/// What is found by following an outline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Find {
+    /// `kernel::outline_centroid`
+    Centroid,
+    /// `kernel::bisector`
+    Bisector,
+    /// The first of `kernel::maxima`
+    SmallestOfMaximum,
+    /// The second of `kernel::maxima`
+    LargestOfMaximum,
+    /// The third of `kernel::maxima`
+    MeanOfMaximum,
+}
+
+/// What a set holds between two degrees: the arguments of `kernel::slab`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slab {
+    /// The strength that clips the set.
+    pub strength: Real,
+    /// The degree at which the slab begins.
+    pub floor: f64,
+    /// How high it is, above 0.
+    pub thickness: f64,
+    /// The factors of its area.
+    pub area: (f64, f64),
+    /// The factors of its moment.
+    pub moment: (f64, f64, f64),
+}
+
+/// A stretch of an output's range on which every set is linear.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// The degrees of every set just inside its ends, a span of [`Code::points`].
+    pub lines: Range<u32>,
+}
+
 /// A membership function with its numbers in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
@@ -319,6 +502,23 @@ pub struct Event {
     pub flag: Bool,
 }
 
+/// A continuous output and where its numbers are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// `network.output`, or the output's name alone for a network on its own.
+    pub name: String,
+    /// Where it is declared.
+    pub origin: Origin,
+    /// How to show its numbers.
+    pub unit: crate::base::Unit,
+    /// Its value.
+    pub value: Real,
+    /// Whether a rule fired.
+    pub fired: Bool,
+    /// The strength of every rule that sets it.
+    pub strengths: Vec<Real>,
+}
+
 /// A named flag and where it is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flag {
@@ -355,6 +555,8 @@ pub struct Plan {
     pub events: Vec<Event>,
     /// The strength of every contributor rule and every detractor rule, for each event.
     pub strengths: Vec<(Vec<Real>, Vec<Real>)>,
+    /// The outputs of all networks, in order.
+    pub outputs: Vec<Output>,
     /// The named flags, in order.
     pub flags: Vec<Flag>,
     /// What is looked back at by edges, holds, latches and counters, and its text; once for each.
@@ -499,4 +701,6 @@ pub struct NetworkPlan {
     pub rules: Vec<(Vec<Span>, Vec<Span>)>,
     /// Its events, in order.
     pub events: Vec<Event>,
+    /// Its outputs, in order.
+    pub outputs: Vec<Output>,
 }

@@ -13,8 +13,8 @@ const BAR: f64 = 20.0;
 const LISTED: usize = 4;
 
 /// Renders an evaluation: every input with its degrees of membership, then every event with the strength of its
-/// contributor and detractor, the rules that fired by their number from 1, the margin and the flag. Readings are in
-/// the unit in which the network declares them. `color` adds ANSI escapes.
+/// contributor and detractor, the rules that fired by their number from 1, the margin and the flag, then every output
+/// with its value and the rules that fired. Readings and outputs are in the unit in which the network declares them. `color` adds ANSI escapes.
 pub fn eval(evaluated: &Evaluated<'_>, color: bool) -> String {
     let paint = Paint { color };
     let plan = evaluated.plan;
@@ -42,6 +42,14 @@ pub fn eval(evaluated: &Evaluated<'_>, color: bool) -> String {
             let _ = writeln!(out, "    {side:width$}  {}  {fired}", bar(strength, &paint));
         }
         let _ = writeln!(out, "    {:width$}  {:+.3}", "margin", contributor - detractor);
+    }
+    for output in &plan.outputs {
+        let value = output.unit.show(evaluated.evaluator.real(output.value));
+        let _ = writeln!(out, "\n  {}  {value}", paint.bold(&output.name));
+        let fired = fired(evaluated, &output.strengths);
+        let strengths = output.strengths.iter().map(|&rule| evaluated.evaluator.real(rule));
+        let strongest = strengths.fold(0.0, kernel::maximum);
+        let _ = writeln!(out, "    {:width$}  {}  {fired}", "strongest", bar(strongest, &paint));
     }
     out
 }

@@ -47,7 +47,7 @@ struct Evaluation<'a> {
     inputs: Members<'a, Option<f64>>,
     degrees: Members<'a, Members<'a, f64>>,
     events: Members<'a, Decided>,
-    outputs: Members<'a, ()>,
+    outputs: Members<'a, Computed>,
 }
 
 #[derive(Serialize)]
@@ -57,8 +57,15 @@ struct Decided {
     flag: bool,
 }
 
+#[derive(Serialize)]
+struct Computed {
+    value: f64,
+    fired: bool,
+}
+
 /// Renders an evaluation as one JSON object on one line. Inputs are as they were read, in SI, and null where the
-/// sensor had failed or the number was not finite; degrees of membership and strengths are from 0 to 1.
+/// sensor had failed or the number was not finite; degrees of membership and strengths are from 0 to 1; outputs are in
+/// SI, and `fired` says whether a rule set them.
 pub fn eval_json(evaluated: &Evaluated<'_>) -> String {
     let Evaluated { plan, evaluator, .. } = evaluated;
     let inputs = plan.inputs.iter().enumerate().map(|(index, input)| {
@@ -73,12 +80,16 @@ pub fn eval_json(evaluated: &Evaluated<'_>) -> String {
         let (contributor, detractor) = (evaluated.contributor(event), evaluated.detractor(event));
         (event.name.as_str(), Decided { contributor, detractor, flag: evaluator.bool(event.flag) })
     });
+    let outputs = plan.outputs.iter().map(|output| {
+        let computed = Computed { value: evaluator.real(output.value), fired: evaluator.bool(output.fired) };
+        (output.name.as_str(), computed)
+    });
     to_line(&Evaluation {
         schema: SCHEMA,
         inputs: Members(inputs.collect()),
         degrees: Members(degrees.collect()),
         events: Members(events.collect()),
-        outputs: Members(Vec::new()),
+        outputs: Members(outputs.collect()),
     })
 }
 

@@ -159,5 +159,6 @@ pub fn network() -> NetworkPlan {
             detractor: 9,
             flag: 0,
         }],
+        outputs: Vec::new(),
     }
 }

@@ -32,8 +32,8 @@ fn error(line: u64, message: impl Into<String>, help: Option<String>) -> TableEr
 
 /// Evaluates a CSV table: a header with the names of the network's inputs in any order, then one reading of each in
 /// SI on every line. The answer has the same columns, followed for each event by its flag (`true` or `false`), its
-/// contributor and its detractor, all numbers with full precision. The lines are `dt` nanoseconds apart for events
-/// that remember. `nan` and `inf` are readings too, unusable ones.
+/// contributor and its detractor, and for each output by its value in SI and whether a rule fired, all numbers with full
+/// precision. The lines are `dt` nanoseconds apart for events that remember. `nan` and `inf` are readings too, unusable ones.
 ///
 /// # Errors
 /// The first thing in the table that is not a reading of this network.
@@ -46,13 +46,14 @@ pub fn eval_csv(plan: &NetworkPlan, text: &str, dt: u64) -> Result<String, Table
     let mut writer = csv::Writer::from_writer(Vec::new());
     let events = plan.events.iter().flat_map(|event| ["", ".contributor", ".detractor"].map(|part| (event, part)));
     let named = events.map(|(event, part)| format!("{}{part}", event.name));
-    write(&mut writer, header.iter().map(str::to_owned).chain(named))?;
+    let outputs = plan.outputs.iter().flat_map(|output| ["", ".fired"].map(|part| format!("{}{part}", output.name)));
+    write(&mut writer, header.iter().map(str::to_owned).chain(named).chain(outputs))?;
 
     let mut evaluator = Evaluator::new(plan);
     let mut readings = vec![Reading { value: f64::NAN, healthy: false }; plan.inputs.len()];
     for record in reader.records() {
         let record = record.map_err(|wrong| unreadable(text, &wrong))?;
-        let mut fields = Vec::with_capacity(inputs.len() + 3 * plan.events.len());
+        let mut fields = Vec::with_capacity(inputs.len() + 3 * plan.events.len() + 2 * plan.outputs.len());
         for (&input, field) in inputs.iter().zip(&record) {
             let value = number(field).ok_or_else(|| not_a_number(plan, input, field, line(text, record.position())))?;
             fields.push(format!("{value:?}"));
@@ -64,6 +65,10 @@ pub fn eval_csv(plan: &NetworkPlan, text: &str, dt: u64) -> Result<String, Table
         for event in &plan.events {
             fields.push(evaluator.bool(event.flag).to_string());
             fields.extend([event.contributor, event.detractor].map(|real| format!("{:?}", evaluator.real(real))));
+        }
+        for output in &plan.outputs {
+            fields.push(format!("{:?}", evaluator.real(output.value)));
+            fields.push(evaluator.bool(output.fired).to_string());
         }
         write(&mut writer, fields)?;
     }

@@ -16,8 +16,12 @@ pub(super) struct Scene {
     pub(super) senses: HashMap<String, u32>,
     /// The events of all sensed networks by name; several where networks share a name.
     pub(super) events: HashMap<String, Vec<(u32, u32)>>,
+    /// The outputs of all sensed networks by name, in the same way.
+    pub(super) outputs: HashMap<String, Vec<(u32, u32)>>,
     /// The named flags; `None` for one that is broken and was reported.
     pub(super) flags: HashMap<String, Option<Id<ir::Flag>>>,
+    /// The network of each sense, for what it has besides events.
+    pub(super) sense_networks: Vec<Id<ir::Network>>,
     /// Where each sense and each flag is declared.
     pub(super) sense_places: Vec<Span>,
     pub(super) flag_places: Vec<Span>,

@@ -164,8 +164,13 @@ impl<'a> Lower<'a> {
             let name = sense_name(tree);
             scene.senses.insert(name.text.clone(), position);
             scene.sense_places.push(name.span);
-            for (event, declared) in self.program.networks[network].events.iter().enumerate() {
+            scene.sense_networks.push(network);
+            let declared = &self.program.networks[network];
+            for (event, declared) in declared.events.iter().enumerate() {
                 scene.events.entry(declared.symbol.name.clone()).or_default().push((position, event as u32));
+            }
+            for (output, declared) in declared.outputs.iter().enumerate() {
+                scene.outputs.entry(declared.symbol.name.clone()).or_default().push((position, output as u32));
             }
             // A sense with a broken input keeps its events; the first sensor stands in until it is mended.
             let inputs = self.sense_inputs(tree, network, &scene.sensors).unwrap_or_default();

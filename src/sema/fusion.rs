@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::quantities::mismatch;
-use super::{Lower, claim, fail_reading, missing_part, not_supported, symbol};
+use super::{Lower, claim, fail_reading, missing_part, symbol};
 use crate::base::{Exact, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
@@ -80,16 +80,15 @@ impl Lower<'_> {
                 _ => sound = false,
             }
         }
-        if let Some(setting) = tree.settings.first() {
-            self.report(not_supported(setting.span, "a choice of inference"));
-        }
+        let inference = self.inference(&tree.settings);
         // Without all of its inputs every row of the network would be reported; one fault is one diagnostic.
         if !sound {
             return;
         }
         let symbol = symbol(&tree.name, tree.doc.as_ref());
-        let mut network = ir::Network { symbol, inputs, events: Vec::new(), incomplete: false };
-        let mut seen = HashMap::new();
+        let (events, outputs) = (Vec::new(), Vec::new());
+        let mut network = ir::Network { symbol, inputs, events, inference, outputs, incomplete: false };
+        let (mut seen, mut broken) = (HashMap::new(), Vec::new());
         for item in &tree.items {
             match item {
                 ast::NetworkItem::Event(event) => {
@@ -99,12 +98,29 @@ impl Lower<'_> {
                         network.events.push(event);
                     }
                 }
-                ast::NetworkItem::Output(output) => self.report(not_supported(output.name.span, "a continuous output")),
-                // Rules set outputs, and those were reported.
+                ast::NetworkItem::Output(output) => {
+                    let first = claim(&mut seen, &output.name, "output", &mut self.diagnostics);
+                    match self.output(output) {
+                        Some(output) if first => network.outputs.push(output),
+                        _ => broken.push(output.name.text.as_str()),
+                    }
+                }
                 ast::NetworkItem::Rule(_) | ast::NetworkItem::Error(_) => {}
             }
         }
+        for item in &tree.items {
+            if let ast::NetworkItem::Rule(rule) = item {
+                self.output_rule(rule, &mut network, &broken);
+            }
+        }
         network.incomplete = self.unparsed.touches(tree.span) || self.diagnostics.len() > reported;
+        if !network.incomplete {
+            self.outputs_without_rules(&network);
+            if network.outputs.is_empty() {
+                self.idle_inference(&tree.settings);
+            }
+            network.incomplete = self.diagnostics.len() > reported;
+        }
         let id = self.program.networks.add(network);
         self.scopes.networks.insert(tree.name.span, id);
     }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::conditions::Scene;
-use super::quantities::empty_range;
+use super::quantities::{empty_range, mismatch};
 use super::{Lower, given, invalid, named, not_supported, symbol};
 use crate::base::{Exact, Id, Unit};
 use crate::diag::{self, Diagnostic};
@@ -51,12 +51,14 @@ impl Lower<'_> {
         }
         for item in &tree.items {
             match item {
-                ast::ModeItem::Action(call) => mode.actions.extend(self.call(call, actions)),
+                ast::ModeItem::Action(call) => mode.actions.extend(self.call(call, actions, scene)),
                 ast::ModeItem::OnEnter(calls, _) => {
-                    mode.on_enter.extend(calls.iter().filter_map(|call| self.call(call, actions)).collect::<Vec<_>>());
+                    mode.on_enter
+                        .extend(calls.iter().filter_map(|call| self.call(call, actions, scene)).collect::<Vec<_>>());
                 }
                 ast::ModeItem::OnExit(calls, _) => {
-                    mode.on_exit.extend(calls.iter().filter_map(|call| self.call(call, actions)).collect::<Vec<_>>());
+                    mode.on_exit
+                        .extend(calls.iter().filter_map(|call| self.call(call, actions, scene)).collect::<Vec<_>>());
                 }
                 ast::ModeItem::Decide(decide) => self.report(not_supported(decide.span, "a decision table")),
                 ast::ModeItem::Transition(_) | ast::ModeItem::Error(_) => {}
@@ -107,7 +109,7 @@ impl Lower<'_> {
         found
     }
 
-    fn call(&mut self, tree: &ast::Call, actions: &[Id<ir::Action>]) -> Option<ir::Call> {
+    fn call(&mut self, tree: &ast::Call, actions: &[Id<ir::Action>], scene: &Scene) -> Option<ir::Call> {
         let [name] = tree.path.segments.as_slice() else {
             let message = "an action has a simple name";
             self.report(Diagnostic::new(&diag::rules::UNKNOWN_NAME, tree.path.span, message));
@@ -128,13 +130,13 @@ impl Lower<'_> {
         let arguments: Vec<_> = order
             .into_iter()
             .zip(&parameters)
-            .map(|(argument, parameter)| self.argument(&argument.value, &parameter.unit))
+            .map(|(argument, parameter)| self.argument(&argument.value, &parameter.unit, scene))
             .collect();
         let arguments = arguments.into_iter().collect::<Option<_>>()?;
         Some(ir::Call { action, arguments, span: tree.span })
     }
 
-    fn argument(&mut self, tree: &ast::Expr, unit: &Unit) -> Option<ir::Argument> {
+    fn argument(&mut self, tree: &ast::Expr, unit: &Unit, scene: &Scene) -> Option<ir::Argument> {
         match &tree.kind {
             ast::ExprKind::Quantity(quantity) => {
                 self.quantity_of(quantity, unit.dimension, Some(unit)).map(ir::Argument::Constant)
@@ -142,16 +144,53 @@ impl Lower<'_> {
             ast::ExprKind::Call(call) if call.path.segments.iter().map(|name| name.text.as_str()).eq(["random"]) => {
                 self.random(call, unit)
             }
-            ast::ExprKind::Path(_) => {
-                self.report(not_supported(tree.span, "a command computed from a network"));
-                None
-            }
+            ast::ExprKind::Path(path) => self.output_argument(path, unit, scene),
             _ => {
                 let diagnostic = invalid(tree.span, "an action takes quantities");
                 self.report(diagnostic.help("write a number with its unit, or `random(low, high)`"));
                 None
             }
         }
+    }
+
+    /// An output of a sensed network, `speed` or `navigator.speed`.
+    fn output_argument(&mut self, path: &ast::Path, unit: &Unit, scene: &Scene) -> Option<ir::Argument> {
+        let (name, of) = match path.segments.as_slice() {
+            [name] => (name, None),
+            [network, name] => (name, Some(network)),
+            _ => {
+                self.report(invalid(path.span, "an output of a network has a name of one or two parts"));
+                return None;
+            }
+        };
+        let is_of = |sense: &u32| of.is_none_or(|of| scene.senses.get(&of.text) == Some(sense));
+        let found = scene.outputs.get(&name.text).into_iter().flatten().filter(|(sense, _)| is_of(sense));
+        let (sense, output) = match found.copied().collect::<Vec<_>>().as_slice() {
+            [found] => *found,
+            [] => {
+                if !scene.incomplete {
+                    let known = scene.outputs.iter().filter(|(_, of)| of.iter().any(|(sense, _)| is_of(sense)));
+                    let what =
+                        of.map_or("output of a sensed network".to_owned(), |of| format!("output of `{}`", of.text));
+                    self.report(self.unknown(name, &what, known.map(|(name, _)| name.as_str())));
+                }
+                return None;
+            }
+            _ => {
+                let message = format!("several sensed networks have an output `{}`", name.text);
+                let diagnostic = Diagnostic::new(&diag::rules::AMBIGUOUS_NAME, name.span, message);
+                self.report(diagnostic.help(format!("write the network in front, as in `network.{}`", name.text)));
+                return None;
+            }
+        };
+        self.read.extend(scene.sense_places.get(sense as usize));
+        let network = scene.sense_networks.get(sense as usize)?;
+        let found = self.program.networks[*network].outputs[output as usize].unit.dimension;
+        if found != unit.dimension {
+            self.report(mismatch(path.span, found, unit.dimension));
+            return None;
+        }
+        Some(ir::Argument::Output { sense, output })
     }
 
     fn random(&mut self, call: &ast::Call, unit: &Unit) -> Option<ir::Argument> {

@@ -227,7 +227,7 @@ fn unknown_unit(name: &ast::Name) -> Diagnostic {
         .note("units are spelled as in SI: `cm/s`, `m/s^2`, `deg`, `N`, `%`; `lmslc explain LM0302` lists them")
 }
 
-fn too_long(span: Span, what: &str) -> Diagnostic {
+pub(super) fn too_long(span: Span, what: &str) -> Diagnostic {
     Diagnostic::new(&diag::rules::NUMBER_TOO_LONG, span, format!("{what} cannot be kept exactly"))
         .note("numbers are fractions of 128-bit integers, so that no rounding happens before the end")
         .help("write fewer digits, or another unit")

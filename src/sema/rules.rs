@@ -4,6 +4,7 @@
 //! them without rounding, so the disjunctive form has bit for bit the strength of what was written.
 
 use super::{Lower, invalid};
+use crate::base::Span;
 use crate::diag::{self, Diagnostic};
 use crate::ir::{Clause, Literal, Network, Rule};
 use crate::syntax::ast;
@@ -20,15 +21,20 @@ impl Lower<'_> {
         match rule {
             ast::EventRule::Row(row) => self.row(row, network, over).into_iter().collect(),
             ast::EventRule::Words { antecedent, span } => {
-                let conjunctions = self.words(antecedent, network, false).unwrap_or_default();
-                if conjunctions.len() > MOST_RULES {
-                    let message = format!("this rule stands for more than {MOST_RULES} simple ones");
-                    self.report(invalid(*span, message).help("write it as several rules"));
-                    return Vec::new();
-                }
-                conjunctions.into_iter().map(|clauses| Rule { clauses, span: *span }).collect()
+                self.simple_rules(antecedent, *span, network).unwrap_or_default()
             }
         }
+    }
+
+    /// The rules that a rule in words stands for; `None` where it is broken.
+    pub(super) fn simple_rules(&mut self, antecedent: &ast::Expr, span: Span, network: &Network) -> Option<Vec<Rule>> {
+        let conjunctions = self.words(antecedent, network, false)?;
+        if conjunctions.len() > MOST_RULES {
+            let message = format!("this rule stands for more than {MOST_RULES} simple ones");
+            self.report(invalid(span, message).help("write it as several rules"));
+            return None;
+        }
+        Some(conjunctions.into_iter().map(|clauses| Rule { clauses, span }).collect())
     }
 
     fn row(&mut self, row: &ast::Row, network: &Network, over: &[u32]) -> Option<Rule> {
@@ -101,12 +107,11 @@ impl Lower<'_> {
                 Some(self.all_words(operands, network, negated)?.into_iter().flatten().collect())
             }
             (ast::ExprKind::Is(subject, names), _) => {
-                let input = self.subject(subject, network)?;
-                let terms = self.terms(names, network, input)?;
+                let is = self.is(subject, names, network)?;
                 Some(vec![if negated {
-                    terms.iter().map(|&term| clause(input, &[term], true)).collect()
+                    is.any_of.iter().map(|literal| clause(is.input, &[literal.term], true)).collect()
                 } else {
-                    vec![clause(input, &terms, false)]
+                    vec![is]
                 }])
             }
             _ => {
@@ -125,7 +130,14 @@ impl Lower<'_> {
         lowered.into_iter().collect()
     }
 
-    fn subject(&mut self, subject: &ast::Expr, network: &Network) -> Option<u32> {
+    /// `input is term`, `input is any of {a, b}`
+    pub(super) fn is(&mut self, subject: &ast::Expr, names: &[ast::Name], network: &Network) -> Option<Clause> {
+        let input = self.subject(subject, network)?;
+        Some(clause(input, &self.terms(names, network, input)?, false))
+    }
+
+    /// The input of that name; reports what is none.
+    pub(super) fn subject(&mut self, subject: &ast::Expr, network: &Network) -> Option<u32> {
         let known = network.inputs.iter().map(|input| input.symbol.name.as_str());
         if let ast::ExprKind::Path(path) = &subject.kind
             && let [name] = path.segments.as_slice()
@@ -136,7 +148,7 @@ impl Lower<'_> {
             }
             return input.map(|input| input as u32);
         }
-        self.report(invalid(subject.span, "an input of the network is needed in front of `is`"));
+        self.report(invalid(subject.span, "an input of the network is needed here"));
         None
     }
 }

@@ -26,6 +26,10 @@ impl Lower<'_> {
         for variable in self.program.variables.values() {
             self.unused_in_variable(variable, &mut found);
         }
+        for output in self.program.networks.values().flat_map(|network| &network.outputs) {
+            let unread = output.terms.iter().filter(|term| !self.is_read(&term.symbol));
+            found.extend(unread.map(|term| unused_output_term(&term.symbol, &output.symbol.name)));
+        }
         for (id, robot) in self.program.robots.iter() {
             self.unused_sensors(id, robot, &mut found);
         }
@@ -102,10 +106,10 @@ fn unused_flag(flag: &ast::Flag, sources: &Sources) -> Diagnostic {
 }
 
 fn unused_sense(sense: &ast::Sense, diagram: &str, fix: Option<Fix>) -> Diagnostic {
-    let message = format!("nothing in `{diagram}` reads an event of `{}`", sense_name(sense).text);
+    let message = format!("nothing in `{diagram}` reads an event or an output of `{}`", sense_name(sense).text);
     let diagnostic = Diagnostic::new(&rules::UNUSED_SENSE, sense.span, message)
         .here("never read")
-        .help("read one of its events in a condition, or remove it");
+        .help("read one of its events in a condition, give an output to an action, or remove it");
     Diagnostic { fix, ..diagnostic }
 }
 
@@ -128,6 +132,13 @@ fn unused_term(term: &ir::Symbol, variable: &str) -> Diagnostic {
         .here("never named")
         .note("`_` names all terms of a variable")
         .help("name it in a rule for or against an event, or remove it")
+}
+
+fn unused_output_term(term: &ir::Symbol, output: &str) -> Diagnostic {
+    let message = format!("no rule names the term `{}` of `{output}`", term.name);
+    Diagnostic::new(&rules::UNUSED_TERM, term.span, message)
+        .here("never named")
+        .help("set the output to it in a rule, or remove it")
 }
 
 fn unused_sensor(sensor: &ir::Symbol) -> Diagnostic {

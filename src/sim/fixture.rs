@@ -198,6 +198,7 @@ pub(super) fn plan() -> Plan {
             flag: 0,
         }],
         strengths: vec![(vec![0], vec![1])],
+        outputs: Vec::new(),
         flags: vec![plan::Flag { name: "heavy".to_owned(), origin: Origin::default(), value: 1 }],
         remembered: Vec::new(),
         watched: vec![3, 1],

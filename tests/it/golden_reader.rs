@@ -3,7 +3,7 @@
 use lmslc::analysis::network::{Fault, FaultSet};
 use lmslc::base::{Exact, Id, Span, Unit};
 use lmslc::ir::{
-    Clause, Event, FailReading, Literal, Network, NetworkInput, Program, Rule, Shape, Symbol, Term, Variable,
+    Clause, Event, FailReading, Inference, Literal, Network, NetworkInput, Program, Rule, Shape, Symbol, Term, Variable,
 };
 use serde_json::Value;
 
@@ -151,7 +151,9 @@ pub fn program(net: &Value) -> Program {
         confirm: 0,
     });
     let symbol = symbol(&net["name"]);
-    program.networks.add(Network { symbol, inputs, events: events.collect(), incomplete: false });
+    let (events, outputs) = (events.collect(), Vec::new());
+    let inference = Inference::default();
+    program.networks.add(Network { symbol, inputs, events, inference, outputs, incomplete: false });
     program
 }
 

@@ -24,6 +24,7 @@ mod limits;
 mod modes;
 mod network;
 mod network_more;
+mod outputs;
 mod pages;
 mod promela;
 mod properties;

@@ -56,7 +56,9 @@ pub(super) fn check(
     matters: &dyn Fn(&Symbol) -> bool,
     findings: &mut Vec<Diagnostic>,
 ) {
-    let Some(model) = whole(program, network).then(|| Model::new(program, network)).flatten() else { return };
+    let Some(model) = whole(program, &program.networks[network]).then(|| Model::new(program, network)).flatten() else {
+        return;
+    };
     let facts = model.facts_under(&HEALTHY);
     let network = &program.networks[network];
     for (index, event) in network.events.iter().enumerate() {
@@ -85,8 +87,7 @@ pub(super) fn check(
 }
 
 /// Whether all of a network and its variables is known.
-fn whole(program: &Program, network: Id<Network>) -> bool {
-    let network = &program.networks[network];
+pub(super) fn whole(program: &Program, network: &Network) -> bool {
     !network.incomplete && network.inputs.iter().all(|input| !program.variables[input.variable].incomplete)
 }
 
@@ -207,7 +208,7 @@ impl<'a> Subject<'a> {
 }
 
 /// Words one after another: "a, b and c".
-fn listed(mut words: Vec<String>, joined: &str) -> String {
+pub(super) fn listed(mut words: Vec<String>, joined: &str) -> String {
     match words.pop() {
         Some(last) if words.is_empty() => last,
         Some(last) => format!("{} {joined} {last}", words.join(", ")),

@@ -12,12 +12,12 @@ pub(in crate::analysis) fn check(program: &Program, diagram: &Diagram, findings:
         let network = &program.networks[sense.network];
         let sensors: Vec<_> = sense.inputs.iter().map(|&sensor| &program.sensors[sensor]).collect();
         let is_noisy = sensors.iter().any(|sensor| sensor.noise > 0.0);
-        let is_whole = sensors.len() == network.inputs.len() && whole(program, sense.network);
+        let is_whole = sensors.len() == network.inputs.len() && whole(program, network);
         if !is_noisy || !is_whole {
             continue;
         }
         let feeds: Vec<_> = sensors.iter().map(|sensor| Feed { range: sensor.range, fails: Vec::new() }).collect();
-        if let Some(model) = Model::fed_by(program, sense.network, &feeds) {
+        if let Some(model) = Model::fed_by(program, network, &feeds) {
             for (index, event) in network.events.iter().enumerate() {
                 check_event(program, sense, &model, (index, event), findings);
             }

@@ -1,13 +1,24 @@
 //! An input of a network that no rule names.
 
 use crate::diag::{Diagnostic, rules};
-use crate::ir::{Network, NetworkInput};
+use crate::ir::{Consequent, Network, NetworkInput};
 
 pub(super) fn check(network: &Network, findings: &mut Vec<Diagnostic>) {
     let rules = network.events.iter().flat_map(|event| event.contributor.iter().chain(&event.detractor));
-    let named: Vec<u32> = rules.flat_map(|rule| &rule.clauses).map(|clause| clause.input).collect();
-    for (position, input) in (0..).zip(&network.inputs) {
-        if !network.events.is_empty() && !named.contains(&position) {
+    let cases = network.outputs.iter().flat_map(|output| &output.rules).flat_map(|rule| &rule.cases);
+    let values = network.outputs.iter().flat_map(|output| &output.rules).flat_map(|rule| match &rule.consequent {
+        Consequent::Linear(linear) => linear.factors.as_slice(),
+        Consequent::Term(_) => &[],
+    });
+    let rules = rules.chain(cases);
+    let named: Vec<u32> = rules
+        .flat_map(|rule| &rule.clauses)
+        .map(|clause| clause.input)
+        .chain(values.map(|(input, _)| *input))
+        .collect();
+    let is_empty = network.events.is_empty() && network.outputs.is_empty();
+    for (position, input) in (0..).zip(&network.inputs).filter(|_| !is_empty) {
+        if !named.contains(&position) {
             findings.push(unused_input(network, input));
         }
     }

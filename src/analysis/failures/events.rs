@@ -56,7 +56,7 @@ pub(super) fn check_sense(
     let asked: Vec<_> = (0..).zip(&network.events).filter(|(event, _)| asks(*event).next().is_some()).collect();
     let inputs = sense.inputs.iter().zip(&network.inputs);
     let feeds: Vec<_> = inputs.map(|(sensor, input)| feed(program, *sensor, Some(input.variable))).collect();
-    let Some(model) = (!asked.is_empty()).then(|| Model::fed_by(program, sense.network, &feeds)).flatten() else {
+    let Some(model) = (!asked.is_empty()).then(|| Model::fed_by(program, network, &feeds)).flatten() else {
         return;
     };
     let fails_alone = network.inputs.iter().any(|input| !program.variables[input.variable].fails.is_empty());

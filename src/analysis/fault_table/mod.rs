@@ -208,7 +208,7 @@ impl<'a> Sensed<'a> {
     fn new(program: &'a Program, group: &Group, sense: &'a Sense, up_to: usize) -> Option<Self> {
         let feeds: Vec<_> = sense.inputs.iter().map(|&sensor| group.sensors[sensor].feed.clone()).collect();
         let network = &program.networks[sense.network];
-        let model = Model::fed_by(program, sense.network, &feeds)?;
+        let model = Model::fed_by(program, &program.networks[sense.network], &feeds)?;
         let facts = model.facts(up_to);
         Some(Self { name: &sense.name, inputs: &sense.inputs, network, model, facts })
     }

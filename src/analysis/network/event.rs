@@ -1,8 +1,8 @@
 //! All that is asked of one event.
 
-use super::engine::{Method, engine};
+use super::engine::{Engine, Method, engine};
 use super::faults::FaultSet;
-use super::model::{EventModel, Model};
+use super::model::{EventModel, Level, Model};
 use super::question::Question;
 use super::witness::{Readings, Witness};
 
@@ -92,6 +92,37 @@ impl Verdict {
     }
 }
 
+impl Readings<'_> {
+    fn decide(&mut self, engine: &mut dyn Engine, states: &[usize], levels: &[Level], question: Question) -> Verdict {
+        let found = question.conditions(self.event).iter().find_map(|condition| engine.find(condition));
+        found.map_or(Verdict::Never, |found| {
+            Verdict::Possible(self.witness(states, &levels[found.level], &found.patterns))
+        })
+    }
+
+    /// The answer to one question.
+    fn answer(&mut self, states: &[usize], question: Question) -> Verdict {
+        let levels = self.event.levels(states);
+        let mut engine = engine(Method::Fitting, self.event, states, &levels);
+        self.decide(engine.as_mut(), states, &levels, question)
+    }
+}
+
+impl Model {
+    /// Whether the flag of an event can be clear under some failures. Without a detractor that is where no rule fires.
+    pub fn clear(&self, event: usize, faults: &FaultSet) -> Verdict {
+        let states = self.states(faults);
+        let sure = Readings::new(self, &self.events[event]).answer(&states, Question::Clear);
+        match &self.loose {
+            Some(loose) => {
+                let possible = Readings::new(self, &loose[event]).answer(&states, Question::Clear);
+                Verdict::between(possible, &sure)
+            }
+            None => sure,
+        }
+    }
+}
+
 impl EventFacts {
     /// What is known for sure, from what holds with every contributor rule as weak and every detractor rule as strong as
     /// can be, and what holds the other way round.
@@ -122,12 +153,7 @@ impl EventFacts {
         let event = readings.event;
         let levels = event.levels(states);
         let mut engine = engine(method, event, states, &levels);
-        let mut decide = |question: Question| {
-            let found = question.conditions(event).iter().find_map(|condition| engine.find(condition));
-            found.map_or(Verdict::Never, |found| {
-                Verdict::Possible(readings.witness(states, &levels[found.level], &found.patterns))
-            })
-        };
+        let mut decide = |question: Question| readings.decide(engine.as_mut(), states, &levels, question);
         let [set, clear, tie, dead] = [Question::Set, Question::Clear, Question::Tie, Question::Dead].map(&mut decide);
         let mut facts = (0..event.rules).map(|rule| RuleFacts {
             fires: decide(Question::Fires(rule)),

@@ -19,6 +19,17 @@ pub struct Feed {
     pub fails: Vec<FailReading>,
 }
 
+impl Feed {
+    /// What feeds each input of a network on its own.
+    pub fn of_variables(program: &Program, network: &ir::Network) -> Vec<Self> {
+        let of_variable = |input: &ir::NetworkInput| {
+            let variable = &program.variables[input.variable];
+            Self { range: variable.range, fails: variable.fails.clone() }
+        };
+        network.inputs.iter().map(of_variable).collect()
+    }
+}
+
 /// A network with what feeds it, ready to be asked.
 #[derive(Debug, Clone)]
 pub struct Model {
@@ -89,17 +100,12 @@ impl Model {
     /// A network on its own: its variables say what feeds it. `None` where a variable is broken, which is reported
     /// elsewhere.
     pub fn new(program: &Program, network: Id<ir::Network>) -> Option<Self> {
-        let feed = |input: &ir::NetworkInput| {
-            let variable = &program.variables[input.variable];
-            Feed { range: variable.range, fails: variable.fails.clone() }
-        };
-        let feeds: Vec<_> = program.networks[network].inputs.iter().map(feed).collect();
-        Self::fed_by(program, network, &feeds)
+        let network = &program.networks[network];
+        Self::fed_by(program, network, &Feed::of_variables(program, network))
     }
 
     /// A network whose inputs are fed by sensors with ranges and failures of their own.
-    pub fn fed_by(program: &Program, network: Id<ir::Network>, feeds: &[Feed]) -> Option<Self> {
-        let network = &program.networks[network];
+    pub fn fed_by(program: &Program, network: &ir::Network, feeds: &[Feed]) -> Option<Self> {
         let rules: Vec<&Rule> =
             network.events.iter().flat_map(|event| event.contributor.iter().chain(&event.detractor)).collect();
         let clauses = rules.iter().flat_map(|rule| &rule.clauses);

@@ -1,6 +1,6 @@
 //! Variables and networks.
 
-use super::Lines;
+use super::{Lines, outputs};
 use crate::base::Exact;
 use crate::ir::{Clause, Event, FailReading, Network, Part, Program, Rule, Shape, Variable};
 
@@ -24,7 +24,7 @@ pub(super) fn fails(fails: &[FailReading]) -> String {
     if ways.is_empty() { String::new() } else { format!(" fails {}", ways.join(", ")) }
 }
 
-fn shape(shape: &Shape) -> String {
+pub(super) fn shape(shape: &Shape) -> String {
     let call = |name: &str, numbers: &[Exact]| {
         let numbers: Vec<_> = numbers.iter().map(Exact::to_string).collect();
         format!("{name}({})", numbers.join(", "))
@@ -76,7 +76,9 @@ pub(super) fn network(lines: &mut Lines, program: &Program, network: &Network) {
     let inputs = network.inputs.iter();
     let inputs =
         inputs.map(|input| format!("{}: {}", input.symbol.name, program.variables[input.variable].symbol.name));
-    lines.head(format_args!("network {}({})", network.symbol.name, inputs.collect::<Vec<_>>().join(", ")));
+    let using = if network.outputs.is_empty() { String::new() } else { outputs::using(network.inference) };
+    let inputs = inputs.collect::<Vec<_>>().join(", ");
+    lines.head(format_args!("network {}({inputs}){using}", network.symbol.name));
     for event in &network.events {
         lines.add(1, format_args!("event {}{}", event.symbol.name, memory(event)));
         for (side, rules) in [("contributor", &event.contributor), ("detractor", &event.detractor)] {
@@ -84,6 +86,9 @@ pub(super) fn network(lines: &mut Lines, program: &Program, network: &Network) {
                 lines.add(2, format_args!("{side} {}", antecedent(program, network, rule)));
             }
         }
+    }
+    for output in &network.outputs {
+        outputs::output(lines, program, network, output);
     }
 }
 
@@ -102,19 +107,21 @@ fn memory(event: &Event) -> String {
 
 /// `left is neg and force is any of {low, med}`, as rules in words are written.
 fn antecedent(program: &Program, network: &Network, rule: &Rule) -> String {
-    let clause = |clause: &Clause| {
-        let input = &network.inputs[clause.input as usize];
-        let terms = &program.variables[input.variable].terms;
-        let words = clause.any_of.iter().map(|literal| {
-            let name = &terms[literal.term as usize].symbol.name;
-            if literal.negated { format!("not {name}") } else { name.clone() }
-        });
-        let words: Vec<_> = words.collect();
-        match words.as_slice() {
-            [word] => format!("{} is {word}", input.symbol.name),
-            words => format!("{} is any of {{{}}}", input.symbol.name, words.join(", ")),
-        }
-    };
-    let clauses: Vec<_> = rule.clauses.iter().map(clause).collect();
+    let clauses: Vec<_> = rule.clauses.iter().map(|of| clause(program, network, of)).collect();
     if clauses.is_empty() { "always".to_owned() } else { clauses.join(" and ") }
+}
+
+/// `left is neg`, `force is any of {low, med}`
+pub(super) fn clause(program: &Program, network: &Network, clause: &Clause) -> String {
+    let input = &network.inputs[clause.input as usize];
+    let terms = &program.variables[input.variable].terms;
+    let words = clause.any_of.iter().map(|literal| {
+        let name = &terms[literal.term as usize].symbol.name;
+        if literal.negated { format!("not {name}") } else { name.clone() }
+    });
+    let words: Vec<_> = words.collect();
+    match words.as_slice() {
+        [word] => format!("{} is {word}", input.symbol.name),
+        words => format!("{} is any of {{{}}}", input.symbol.name, words.join(", ")),
+    }
 }

@@ -4,7 +4,7 @@ use super::Lines;
 use super::condition::Conditions;
 use super::fusion::fails;
 use crate::base::Id;
-use crate::ir::{Argument, Call, Diagram, Layer, Platform, Program, Robot, Sensor};
+use crate::ir::{Argument, Call, Diagram, Layer, Platform, Program, Robot, Sense, Sensor};
 
 pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
     let provides: Vec<_> = robot.provides.iter().map(|id| program.interfaces[*id].symbol.name.as_str()).collect();
@@ -65,7 +65,7 @@ pub(super) fn diagram(lines: &mut Lines, program: &Program, diagram: &Diagram) {
         lines.add(1, head);
         for (when, calls) in [("", &mode.actions), ("on enter ", &mode.on_enter), ("on exit ", &mode.on_exit)] {
             for call in calls {
-                lines.add(2, format_args!("{when}{}", command(program, call)));
+                lines.add(2, format_args!("{when}{}", command(program, diagram, call)));
             }
         }
         for transition in &mode.transitions {
@@ -80,10 +80,14 @@ pub(super) fn diagram(lines: &mut Lines, program: &Program, diagram: &Diagram) {
     }
 }
 
-fn command(program: &Program, call: &Call) -> String {
+fn command(program: &Program, diagram: &Diagram, call: &Call) -> String {
     let arguments = call.arguments.iter().map(|argument| match argument {
         Argument::Constant(number) => number.to_string(),
         Argument::Random { low, high } => format!("random({low}, {high})"),
+        Argument::Output { sense, output } => {
+            let Sense { symbol, network, .. } = &diagram.senses[*sense as usize];
+            format!("{}.{}", symbol.name, program.networks[*network].outputs[*output as usize].symbol.name)
+        }
     });
     format!("{}({})", program.actions[call.action].symbol.name, arguments.collect::<Vec<_>>().join(", "))
 }

@@ -4,6 +4,7 @@
 mod condition;
 mod fusion;
 mod machine;
+mod outputs;
 
 use std::fmt::Display;
 

@@ -34,7 +34,7 @@ behavior odd on j5 {
             (high) => halt()
             (low)  => nothing
         }
-        drive(steering) //~ error LM0105
+        drive(steering) //~ error LM0201
         1: after 5 s -> go
     }
 }
