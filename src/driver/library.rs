@@ -8,10 +8,13 @@ pub const LIBRARY: &[(&str, &str)] = &[
     ("std/behaviors/obstacle_avoidance.msd", include_str!("../../stdlib/behaviors/obstacle_avoidance.msd")),
     ("std/behaviors/obstacle_manipulation.msd", include_str!("../../stdlib/behaviors/obstacle_manipulation.msd")),
     ("std/interfaces/mobile_base.msd", include_str!("../../stdlib/interfaces/mobile_base.msd")),
+    ("std/networks/navigator.fsfn", include_str!("../../stdlib/networks/navigator.fsfn")),
+    ("std/networks/navigator_as_printed.fsfn", include_str!("../../stdlib/networks/navigator_as_printed.fsfn")),
     ("std/networks/obstacle_id.fsfn", include_str!("../../stdlib/networks/obstacle_id.fsfn")),
     ("std/networks/preliminary_obstacle_id.fsfn", include_str!("../../stdlib/networks/preliminary_obstacle_id.fsfn")),
     ("std/robots/j5.msd", include_str!("../../stdlib/robots/j5.msd")),
     ("std/variables/j5.fsfn", include_str!("../../stdlib/variables/j5.fsfn")),
+    ("std/variables/navigation.fsfn", include_str!("../../stdlib/variables/navigation.fsfn")),
 ];
 
 /// The text of a file of the library.

@@ -22,6 +22,7 @@ mod golden;
 mod golden_reader;
 mod limits;
 mod modes;
+mod navigator;
 mod network;
 mod network_more;
 mod outputs;
