@@ -9,7 +9,7 @@ use super::files;
 use super::terminal::{Terminal, exit_code};
 use crate::analysis::modes;
 use crate::base::Id;
-use crate::driver::{Analysis, NotCompiled};
+use crate::driver::{Analysis, NotCompiled, Plans};
 use crate::emit::{Float, Options};
 use crate::ir::Diagram;
 use crate::view;
@@ -38,7 +38,7 @@ pub(super) struct Build {
     /// Rust: derive serde's traits for states and readings under this feature of your crate
     #[arg(long, value_name = "FEATURE")]
     serde: Option<String>,
-    /// Rust: the robot to compile for what is written on an interface
+    /// Rust and plan: the robot to compile for what is written on an interface
     #[arg(long, value_name = "NAME")]
     robot: Option<String>,
     /// Promela: the most sensors that fail while the model runs [default: 0]
@@ -58,6 +58,8 @@ enum Emit {
     Promela,
     /// What the compiler understood: names resolved, numbers in SI, `extends` followed
     Ir,
+    /// The steps that are run and compiled, in their order
+    Plan,
     /// A picture of each mode switching diagram
     Svg,
     /// Each mode switching diagram for Graphviz
@@ -89,6 +91,7 @@ impl Build {
                 self.of_diagrams(&analysis, "pml", terminal, |of| self.promela(&analysis, of, terminal))?;
             }
             Emit::Ir => self.write(&view::program(&analysis.program), terminal)?,
+            Emit::Plan => self.write(&self.plan(&analysis, terminal)?, terminal)?,
             Emit::Svg => self.pictures(&analysis, "svg", chart::svg, terminal)?,
             Emit::Dot => self.pictures(&analysis, "dot", chart::dot, terminal)?,
             Emit::Mermaid => self.pictures(&analysis, "mmd", chart::mermaid, terminal)?,
@@ -98,13 +101,14 @@ impl Build {
 
     /// A flag that belongs to something else than what is made.
     fn misplaced(&self) -> Option<&'static str> {
-        let of_rust =
-            [("--float", self.float.is_some()), ("--serde", self.serde.is_some()), ("--robot", self.robot.is_some())];
+        let of_rust = [("--float", self.float.is_some()), ("--serde", self.serde.is_some())];
+        let of_plans = [("--robot", self.robot.is_some())];
         let of_promela = [("--faults", self.up_to.is_some())];
         let elsewhere = match self.emit {
-            Emit::Rust => of_promela.as_slice(),
-            Emit::Promela => of_rust.as_slice(),
-            Emit::Ir | Emit::Svg | Emit::Dot | Emit::Mermaid => &[of_rust.as_slice(), &of_promela].concat(),
+            Emit::Rust => of_promela.to_vec(),
+            Emit::Plan => [of_rust.as_slice(), &of_promela].concat(),
+            Emit::Promela => [of_rust.as_slice(), &of_plans].concat(),
+            Emit::Ir | Emit::Svg | Emit::Dot | Emit::Mermaid => [of_rust.as_slice(), &of_plans, &of_promela].concat(),
         };
         elsewhere.iter().find(|(_, is_given)| *is_given).map(|(flag, _)| *flag)
     }
@@ -120,16 +124,26 @@ impl Build {
         }
     }
 
+    fn plan(&self, analysis: &Analysis, terminal: &Terminal) -> Result<String, u8> {
+        let plans = analysis.plans(self.robot.as_deref());
+        let Plans { networks, diagrams } = plans.map_err(|reason| self.not_compiled(&reason, analysis, terminal))?;
+        Ok(view::plans(&networks, &diagrams))
+    }
+
+    fn not_compiled(&self, reason: &NotCompiled, analysis: &Analysis, terminal: &Terminal) -> u8 {
+        match explain(reason, &self.files.join("`, `")) {
+            None => exit_code(analysis),
+            Some((message, help)) => terminal.fail(&message, Some(&help)),
+        }
+    }
+
     fn rust(&self, analysis: &Analysis, terminal: &Terminal) -> Result<String, u8> {
         let float = match self.float {
             None | Some(FloatType::F64) => Float::F64,
             Some(FloatType::F32) => Float::F32,
         };
         let options = Options { float, serde: self.serde.clone(), robot: self.robot.clone() };
-        analysis.rust(&options).map_err(|reason| match explain(&reason, &self.files.join("`, `")) {
-            None => exit_code(analysis),
-            Some((message, help)) => terminal.fail(&message, Some(&help)),
-        })
+        analysis.rust(&options).map_err(|reason| self.not_compiled(&reason, analysis, terminal))
     }
 
     /// Writes something of the behaviors that the files declare: all into one text where that has a meaning, or each into

@@ -22,6 +22,15 @@ pub enum NotCompiled {
     Output(String),
 }
 
+/// Plans of everything that is compiled together.
+#[derive(Debug)]
+pub struct Plans {
+    /// The networks.
+    pub networks: Vec<plan::NetworkPlan>,
+    /// The behaviors.
+    pub diagrams: Vec<plan::Plan>,
+}
+
 impl Analysis {
     /// Rust for the behaviors and networks that the roots declare, for the behaviors that their scenarios run, and for
     /// the networks that these sense through.
@@ -29,6 +38,20 @@ impl Analysis {
     /// # Errors
     /// Where there is nothing to compile, or no single way to do it.
     pub fn rust(&self, options: &Options) -> Result<String, NotCompiled> {
+        let Plans { networks, diagrams } = self.plans(options.robot.as_deref())?;
+        if let Some(network) = networks.iter().find(|network| !network.outputs.is_empty()) {
+            return Err(NotCompiled::Output(network.name.clone()));
+        }
+        let program =
+            emit::Program { roots: &self.roots, sources: &self.sources, networks: &networks, diagrams: &diagrams };
+        Ok(emit::rust(&program, options))
+    }
+
+    /// What `rust` makes code of: on the robot of that name for what is written on an interface.
+    ///
+    /// # Errors
+    /// As for `rust`.
+    pub fn plans(&self, robot: Option<&str>) -> Result<Plans, NotCompiled> {
         let checked = self.checked().ok_or(NotCompiled::Errors)?;
         let program = &self.program;
         let is_own = |symbol: &ir::Symbol| self.roots.contains(&symbol.span.file);
@@ -40,7 +63,7 @@ impl Analysis {
             .collect();
         let chosen = program.diagrams.iter().filter(|(id, diagram)| is_own(&diagram.symbol) || run.contains(id));
         let diagrams = chosen
-            .map(|(id, diagram)| Ok(plan::build_on(checked, id, self.platform(diagram, options)?, &[])))
+            .map(|(id, diagram)| Ok(plan::build_on(checked, id, self.platform(diagram, robot)?, &[])))
             .collect::<Result<Vec<_>, _>>()?;
         let sensed: BTreeSet<u32> =
             diagrams.iter().flat_map(|diagram| &diagram.senses).map(|sense| sense.network).collect();
@@ -53,17 +76,12 @@ impl Analysis {
         if diagrams.is_empty() && networks.is_empty() {
             return Err(NotCompiled::Nothing);
         }
-        if let Some(network) = networks.iter().find(|network| !network.outputs.is_empty()) {
-            return Err(NotCompiled::Output(network.name.clone()));
-        }
-        let program =
-            emit::Program { roots: &self.roots, sources: &self.sources, networks: &networks, diagrams: &diagrams };
-        Ok(emit::rust(&program, options))
+        Ok(Plans { networks, diagrams })
     }
 
-    fn platform(&self, diagram: &ir::Diagram, options: &Options) -> Result<ir::Platform, NotCompiled> {
-        let (robots, robot) = (&self.program.robots, options.robot.as_ref());
-        let named = |id: &Id<ir::Robot>| robot.is_none_or(|name| robots[*id].symbol.name == *name);
+    fn platform(&self, diagram: &ir::Diagram, robot: Option<&str>) -> Result<ir::Platform, NotCompiled> {
+        let robots = &self.program.robots;
+        let named = |id: &Id<ir::Robot>| robot.is_none_or(|name| robots[*id].symbol.name == name);
         let ir::Platform::Interface(interface) = diagram.platform else { return Ok(diagram.platform) };
         let fits: Vec<_> = robots.ids().filter(|id| robots[*id].provides.contains(&interface)).filter(named).collect();
         match (fits.as_slice(), robot) {

@@ -7,7 +7,7 @@ mod compile;
 mod library;
 mod load;
 
-pub use compile::NotCompiled;
+pub use compile::{NotCompiled, Plans};
 pub use library::LIBRARY;
 pub use load::{FileError, Files, format};
 

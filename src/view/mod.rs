@@ -1,6 +1,6 @@
 //! What other eyes and tools read: runs and diagrams as pictures, diagrams as models, programs as listings.
 //!
-//! Imports: analysis, base, ir, trace
+//! Imports: analysis, base, ir, plan, trace
 //! Crates: dagre
 
 pub mod chart;
@@ -9,7 +9,7 @@ mod plot;
 mod promela;
 mod svg;
 
-pub use listing::program;
+pub use listing::{plans, program};
 pub use plot::plot;
 pub use promela::promela;
 

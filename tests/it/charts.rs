@@ -63,6 +63,18 @@ fn what_the_compiler_understood() {
     }
 }
 
+#[test]
+fn what_is_run() {
+    let plans = |analysis: &Analysis| analysis.plans(None).map(|plans| view::plans(&plans.networks, &plans.diagrams));
+    insta::assert_snapshot!(plans(&analyze_path(MANIPULATION)).unwrap());
+    let odd = plans(&analyze_texts(&[("odd.msd", ODD)])).unwrap();
+    for line in
+        ["        requires input 0", "        else mode 2", "        on enter halt()", "        1: bool 12 -> ahead"]
+    {
+        assert!(odd.lines().any(|other| other == line), "{line}\n{odd}");
+    }
+}
+
 /// A rectangle of a picture: left, top, right, bottom.
 type Area = [f64; 4];
 

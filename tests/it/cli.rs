@@ -774,6 +774,9 @@ fn build_draws_and_lists() {
     }
     let listing = build(&["wander.msd", "--emit", "ir"]);
     assert!(listing.out.contains("\nbehavior wander on j5\n"), "{}", listing.out);
+    let plan = build(&["wander.msd", "--emit", "plan", "--robot", "j5"]);
+    assert!(plan.out.starts_with("behavior wander on j5\n"), "{}", plan.out);
+    assert!(build(&["wander.msd", "--emit", "ir", "--robot", "j5"]).err.contains("`--robot` says nothing"));
     assert!(build(&["wander.msd", "--emit", "ir", "--float", "f32"]).err.contains("`--float` says nothing"));
     assert!(build(&["wander.msd", "--emit", "dot", "--faults", "1"]).err.contains("`--faults` says nothing"));
 }

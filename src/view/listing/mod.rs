@@ -4,6 +4,9 @@
 mod condition;
 mod fusion;
 mod machine;
+mod plan;
+
+pub use plan::plans;
 mod outputs;
 
 use std::fmt::Display;
