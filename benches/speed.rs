@@ -4,7 +4,7 @@
 use divan::{Bencher, black_box, counter::ItemsCount};
 use lmslc::base::{FileId, Id};
 use lmslc::driver::{Analysis, FileError, Files, Options, analyze};
-use lmslc::interp::{Actuators, Evaluator, Inputs, Machine, Reading};
+use lmslc::interp::{Actuators, Columns, Evaluator, Inputs, Machine, Reading};
 use lmslc::sim::{self, RunOptions};
 use lmslc::syntax::{ast::FileKind, parse};
 use lmslc::{plan, report};
@@ -69,6 +69,20 @@ fn evaluate_obstacle_id(bencher: Bencher) {
     bencher.bench_local(|| {
         evaluator.evaluate(black_box(&readings), 10_000_000);
         evaluator.bool(plan.events[0].flag)
+    });
+}
+
+/// A block of readings, each counted.
+#[divan::bench]
+fn evaluate_obstacle_id_in_columns(bencher: Bencher) {
+    let analysis = check(MANIPULATION);
+    let network = analysis.program.networks.ids().next().unwrap();
+    let plan = plan::build_network(analysis.checked().unwrap(), network);
+    let mut columns = Columns::new(&plan);
+    let readings = [-0.7, -1.0, 118.0].map(|value| vec![value; Columns::BLOCK]);
+    bencher.counter(ItemsCount::new(Columns::BLOCK)).bench_local(|| {
+        columns.evaluate(black_box(&readings), 10_000_000);
+        columns.bools(plan.events[0].flag)[0]
     });
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::memory::Memory;
+use super::memory::{Memory, Told};
 use crate::kernel;
 use crate::plan::{Plan, Transition};
 
@@ -65,7 +65,7 @@ pub struct Phase {
 #[derive(Debug, Clone)]
 pub struct Machine<'p> {
     plan: &'p Plan,
-    memory: Memory,
+    memory: Memory<1>,
     mode: u32,
     entered: bool,
     random: u64,
@@ -76,8 +76,8 @@ impl<'p> Machine<'p> {
     /// A machine before its first tick. Everything random follows from `seed`.
     pub fn new(plan: &'p Plan, seed: u64) -> Self {
         let mut memory = Memory::new(&plan.code);
-        let nothing = Inputs { readings: &[], done: false };
-        memory.run(&plan.code, plan.constants.clone(), &plan.inputs, nothing, 0, plan.entry);
+        let nothing = Told { read: |_, _| None, rows: 1, done: false, dt: 0, active: plan.entry };
+        memory.run(&plan.code, plan.constants.clone(), &plan.inputs, &nothing);
         let longest = plan.calls.iter().map(|call| call.arguments.len()).max().unwrap_or(0);
         Self { plan, memory, mode: plan.entry, entered: false, random: seed, arguments: Vec::with_capacity(longest) }
     }
@@ -94,12 +94,12 @@ impl<'p> Machine<'p> {
 
     /// A number of the last tick.
     pub fn real(&self, real: crate::plan::Real) -> f64 {
-        self.memory.real(real)
+        self.memory.reals(real)[0]
     }
 
     /// A truth value of the last tick.
     pub fn bool(&self, bool: crate::plan::Bool) -> bool {
-        self.memory.bool(bool)
+        self.memory.bools(bool)[0]
     }
 
     /// One tick, `dt` nanoseconds after the one before: sense, fuse, select, act. The first tick enters the entry mode.
@@ -158,7 +158,9 @@ impl<'p> Machine<'p> {
     }
 
     fn run(&mut self, steps: Range<u32>, inputs: Inputs<'_>, dt: u64) {
-        self.memory.run(&self.plan.code, steps, &self.plan.inputs, inputs, dt, self.mode);
+        let read = |input: u32, _| inputs.readings.get(input as usize).copied();
+        let told = Told { read, rows: 1, done: inputs.done, dt, active: self.mode };
+        self.memory.run(&self.plan.code, steps, &self.plan.inputs, &told);
     }
 
     /// The first input that a mode requires and that has failed.
@@ -177,7 +179,7 @@ impl<'p> Machine<'p> {
         for index in self.current().transitions.clone() {
             let Transition { steps, condition, target, .. } = &self.plan.transitions[index as usize];
             self.run(steps.clone(), inputs, dt);
-            if self.memory.bool(*condition) && self.missing(*target, inputs).is_none() {
+            if self.memory.bools(*condition)[0] && self.missing(*target, inputs).is_none() {
                 return Taken::Transition(index);
             }
         }
@@ -189,7 +191,8 @@ impl<'p> Machine<'p> {
         self.entered = true;
         self.memory.enter_mode();
         for draw in &self.plan.draws[range(&self.current().draws)] {
-            self.memory.set_real(draw.to, kernel::draw(&mut self.random, draw.low, draw.high));
+            let drawn = kernel::draw(&mut self.random, draw.low, draw.high);
+            self.memory.set_reals(draw.to, |_, _| drawn);
         }
     }
 
@@ -197,7 +200,7 @@ impl<'p> Machine<'p> {
         for call in &self.plan.calls[range(&calls)] {
             self.arguments.clear();
             let arguments = &self.plan.arguments[range(&call.arguments)];
-            self.arguments.extend(arguments.iter().map(|&real| self.memory.real(real)));
+            self.arguments.extend(arguments.iter().map(|&real| self.memory.reals(real)[0]));
             actuators.command(call.action, &self.arguments, start);
         }
     }

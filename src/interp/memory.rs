@@ -2,14 +2,15 @@
 
 use std::ops::Range;
 
-use super::Inputs;
+use super::Reading;
 use crate::kernel::{self, Stopwatch};
 use crate::plan::{Aggregation, Bool, Code, Comparison, Find, Implication, Input, Real, SNorm, Shape, Step, TNorm};
 
+/// What is known of `ROWS` ticks that follow each other; of one where a machine runs.
 #[derive(Debug, Clone)]
-pub(super) struct Memory {
-    reals: Vec<f64>,
-    bools: Vec<bool>,
+pub(super) struct Memory<const ROWS: usize> {
+    reals: Vec<[f64; ROWS]>,
+    bools: Vec<[bool; ROWS]>,
     memories: Vec<bool>,
     stopwatches: Vec<Stopwatch>,
     counters: Vec<u32>,
@@ -21,11 +22,25 @@ pub(super) struct Memory {
     pub(super) dwell: u64,
 }
 
-impl Memory {
+/// What a tick is told.
+pub(super) struct Told<Read> {
+    /// What an input reads in a row; none for a sensor that is not there.
+    pub(super) read: Read,
+    /// How many rows there are; what is computed of the others means nothing.
+    pub(super) rows: usize,
+    /// Whether the action of the active mode has reported completion.
+    pub(super) done: bool,
+    /// Nanoseconds since the tick before.
+    pub(super) dt: u64,
+    /// The active mode.
+    pub(super) active: u32,
+}
+
+impl<const ROWS: usize> Memory<ROWS> {
     pub(super) fn new(code: &Code) -> Self {
         Self {
-            reals: vec![0.0; code.reals as usize],
-            bools: vec![false; code.bools as usize],
+            reals: vec![[0.0; ROWS]; code.reals as usize],
+            bools: vec![[false; ROWS]; code.bools as usize],
             memories: vec![false; code.memories as usize],
             stopwatches: vec![Stopwatch::default(); code.stopwatches as usize],
             counters: vec![0; code.counters as usize],
@@ -36,16 +51,31 @@ impl Memory {
         }
     }
 
-    pub(super) fn real(&self, real: Real) -> f64 {
-        self.reals[real as usize]
+    /// A number in every row.
+    pub(super) fn reals(&self, real: Real) -> &[f64; ROWS] {
+        &self.reals[real as usize]
     }
 
-    pub(super) fn bool(&self, bool: Bool) -> bool {
-        self.bools[bool as usize]
+    /// A truth value in every row.
+    pub(super) fn bools(&self, bool: Bool) -> &[bool; ROWS] {
+        &self.bools[bool as usize]
     }
 
-    pub(super) fn set_real(&mut self, real: Real, value: f64) {
-        self.reals[real as usize] = value;
+    /// Writes a number for every row from what is known of that row.
+    pub(super) fn set_reals(&mut self, real: Real, value: impl Fn(&Self, usize) -> f64) {
+        self.reals[real as usize] = std::array::from_fn(|row| value(self, row));
+    }
+
+    fn set_bools(&mut self, bool: Bool, value: impl Fn(&Self, usize) -> bool) {
+        self.bools[bool as usize] = std::array::from_fn(|row| value(self, row));
+    }
+
+    fn real(&self, real: Real, row: usize) -> f64 {
+        self.reals[real as usize][row]
+    }
+
+    fn bool(&self, bool: Bool, row: usize) -> bool {
+        self.bools[bool as usize][row]
     }
 
     /// Restarts what belongs to the active mode.
@@ -72,135 +102,163 @@ impl Memory {
         (&self.memories, &self.latches, &self.counters)
     }
 
+    /// Runs some steps for every row. What remembers follows the rows in their order.
     pub(super) fn run(
         &mut self,
         code: &Code,
         steps: Range<u32>,
         inputs: &[Input],
-        told: Inputs<'_>,
-        dt: u64,
-        active: u32,
+        told: &Told<impl Fn(u32, usize) -> Option<Reading>>,
     ) {
+        let Told { read, rows, done, dt, active } = told;
+        let (rows, dt) = (0..*rows, *dt);
         for step in &code.steps[range(&steps)] {
             match *step {
                 Step::Read { input, to } => {
                     let Input { low, high, fail, .. } = inputs[input as usize];
-                    self.reals[to as usize] = match told.readings.get(input as usize) {
+                    self.set_reals(to, |_, row| match read(input, row) {
                         Some(reading) => kernel::sanitize(reading.value, reading.healthy, low, high, fail),
                         None => fail,
-                    };
+                    });
                 }
-                Step::Constant { value, to } => self.reals[to as usize] = value,
+                Step::Constant { value, to } => self.set_reals(to, |_, _| value),
                 Step::Degree { of, ref shape, to } => {
-                    self.reals[to as usize] = degree(self.real(of), shape, &code.points);
+                    self.reals[to as usize] = degrees(*self.reals(of), shape, &code.points);
                 }
-                Step::Complement { of, to } => self.reals[to as usize] = 1.0 - self.real(of),
-                Step::Very { of, to } => self.reals[to as usize] = kernel::very(self.real(of)),
-                Step::Somewhat { of, to } => self.reals[to as usize] = kernel::somewhat(self.real(of)),
-                Step::Minimum { ref of, to } => {
-                    let operands = code.real_lists[range(of)].iter().map(|&real| self.real(real));
-                    self.reals[to as usize] = operands.reduce(kernel::minimum).unwrap_or(1.0);
-                }
-                Step::Maximum { ref of, to } => {
-                    let operands = code.real_lists[range(of)].iter().map(|&real| self.real(real));
-                    self.reals[to as usize] = operands.reduce(kernel::maximum).unwrap_or(0.0);
-                }
+                Step::Complement { of, to } => self.set_reals(to, |memory, row| 1.0 - memory.real(of, row)),
+                Step::Very { of, to } => self.set_reals(to, |memory, row| kernel::very(memory.real(of, row))),
+                Step::Somewhat { of, to } => self.set_reals(to, |memory, row| kernel::somewhat(memory.real(of, row))),
+                Step::Minimum { ref of, to } => self.fold(&code.real_lists[range(of)], 1.0, kernel::minimum, to),
+                Step::Maximum { ref of, to } => self.fold(&code.real_lists[range(of)], 0.0, kernel::maximum, to),
                 Step::TNorm { norm, left, right, to } => {
-                    self.reals[to as usize] = t_norm(norm)(self.real(left), self.real(right));
+                    let norm = t_norm(norm);
+                    self.set_reals(to, |memory, row| norm(memory.real(left, row), memory.real(right, row)));
                 }
                 Step::SNorm { norm, left, right, to } => {
-                    self.reals[to as usize] = s_norm(norm)(self.real(left), self.real(right));
+                    let norm = s_norm(norm);
+                    self.set_reals(to, |memory, row| norm(memory.real(left, row), memory.real(right, row)));
                 }
-                Step::Weigh { of, weight, to } => self.reals[to as usize] = kernel::product(self.real(of), weight),
-                Step::Linear { constant, ref factors, to } => {
-                    let products = code.factors[range(factors)].iter().map(|&(real, factor)| self.real(real) * factor);
-                    self.reals[to as usize] = products.fold(constant, kernel::sum);
+                Step::Weigh { of, weight, to } => {
+                    self.set_reals(to, |memory, row| kernel::product(memory.real(of, row), weight));
                 }
+                Step::Linear { constant, ref factors, to } => self.set_reals(to, |memory, row| {
+                    let products = code.factors[range(factors)].iter();
+                    products.map(|&(real, factor)| memory.real(real, row) * factor).fold(constant, kernel::sum)
+                }),
                 Step::Centroid { .. } | Step::Outline { .. } | Step::Midpoints { .. } | Step::Mean { .. } => {
-                    self.defuzzify(code, step);
+                    rows.clone().for_each(|row| self.defuzzify(code, step, row));
                 }
                 Step::Limit { of, low, high, to } => {
-                    self.reals[to as usize] = kernel::limit(self.real(of), low, high);
+                    self.set_reals(to, |memory, row| kernel::limit(memory.real(of, row), low, high));
                 }
-                Step::Fires { of, to } => self.bools[to as usize] = kernel::fires(self.real(of)),
+                Step::Fires { of, to } => self.set_bools(to, |memory, row| kernel::fires(memory.real(of, row))),
                 Step::Otherwise { fired, of, otherwise, to } => {
-                    self.reals[to as usize] = if self.bool(fired) { self.real(of) } else { otherwise };
+                    self.set_reals(
+                        to,
+                        |memory, row| {
+                            if memory.bool(fired, row) { memory.real(of, row) } else { otherwise }
+                        },
+                    );
                 }
                 Step::Keep { fired, of, kept, to } => {
-                    if self.bool(fired) {
-                        self.kept[kept as usize] = self.real(of);
+                    for row in rows.clone() {
+                        if self.bool(fired, row) {
+                            self.kept[kept as usize] = self.real(of, row);
+                        }
+                        self.reals[to as usize][row] = self.kept[kept as usize];
                     }
-                    self.reals[to as usize] = self.kept[kept as usize];
                 }
-                Step::Outweighs { contributor, detractor, to } => {
-                    self.bools[to as usize] = kernel::outweighs(self.real(contributor), self.real(detractor));
-                }
+                Step::Outweighs { contributor, detractor, to } => self.set_bools(to, |memory, row| {
+                    kernel::outweighs(memory.real(contributor, row), memory.real(detractor, row))
+                }),
                 Step::OutweighsWithHysteresis { contributor, detractor, hysteresis, memory, to } => {
-                    let (contributor, detractor) = (self.real(contributor), self.real(detractor));
-                    let before = &mut self.memories[memory as usize];
-                    *before = kernel::outweighs_with_hysteresis(contributor, detractor, hysteresis, *before);
-                    self.bools[to as usize] = *before;
+                    for row in rows.clone() {
+                        let (contributor, detractor) = (self.real(contributor, row), self.real(detractor, row));
+                        let before = &mut self.memories[memory as usize];
+                        *before = kernel::outweighs_with_hysteresis(contributor, detractor, hysteresis, *before);
+                        self.bools[to as usize][row] = *before;
+                    }
                 }
                 Step::Lasts { of, duration, stopwatch, to } => {
-                    let on = self.bool(of);
-                    self.bools[to as usize] = self.stopwatches[stopwatch as usize].lasts(on, dt, duration);
+                    for row in rows.clone() {
+                        let on = self.bool(of, row);
+                        self.bools[to as usize][row] = self.stopwatches[stopwatch as usize].lasts(on, dt, duration);
+                    }
                 }
                 Step::Hold { of, duration, stopwatch, to } => {
-                    let wanted = self.bool(of);
-                    let stopwatch = &mut self.stopwatches[stopwatch as usize];
-                    self.bools[to as usize] = kernel::hold(stopwatch, wanted, dt, duration);
+                    for row in rows.clone() {
+                        let wanted = self.bool(of, row);
+                        let stopwatch = &mut self.stopwatches[stopwatch as usize];
+                        self.bools[to as usize][row] = kernel::hold(stopwatch, wanted, dt, duration);
+                    }
                 }
                 Step::Failed { input, to } => {
-                    let healthy = told.readings.get(input as usize).is_some_and(|reading| reading.healthy);
-                    self.bools[to as usize] = !healthy;
+                    self.set_bools(to, |_, row| !read(input, row).is_some_and(|reading| reading.healthy));
                 }
-                Step::Compare { comparison, left, right, to } => {
-                    self.bools[to as usize] = compare(comparison, self.real(left), self.real(right));
-                }
-                Step::After { duration, to } => self.bools[to as usize] = self.dwell >= duration,
-                Step::Done { to } => self.bools[to as usize] = told.done,
-                Step::InMode { mode, to } => self.bools[to as usize] = active == mode,
+                Step::Compare { comparison, left, right, to } => self
+                    .set_bools(to, |memory, row| compare(comparison, memory.real(left, row), memory.real(right, row))),
+                Step::After { duration, to } => self.set_bools(to, |memory, _| memory.dwell >= duration),
+                Step::Done { to } => self.set_bools(to, |_, _| *done),
+                Step::InMode { mode, to } => self.set_bools(to, |_, _| *active == mode),
                 Step::Rising { of, memory, to } => {
-                    let before = self.remember(of, memory);
-                    self.bools[to as usize] = self.bool(of) && !before;
+                    for row in rows.clone() {
+                        let before = self.remember(of, memory, row);
+                        self.bools[to as usize][row] = self.bool(of, row) && !before;
+                    }
                 }
                 Step::Falling { of, memory, to } => {
-                    let before = self.remember(of, memory);
-                    self.bools[to as usize] = !self.bool(of) && before;
+                    for row in rows.clone() {
+                        let before = self.remember(of, memory, row);
+                        self.bools[to as usize][row] = !self.bool(of, row) && before;
+                    }
                 }
                 Step::Latched { of, latch, to } => {
-                    self.latches[latch as usize] |= self.bool(of);
-                    self.bools[to as usize] = self.latches[latch as usize];
+                    for row in rows.clone() {
+                        self.latches[latch as usize] |= self.bool(of, row);
+                        self.bools[to as usize][row] = self.latches[latch as usize];
+                    }
                 }
                 Step::Count { of, memory, counter, to } => {
-                    let edge = !self.remember(of, memory) && self.bool(of);
-                    let counter = &mut self.counters[counter as usize];
-                    *counter = counter.saturating_add(u32::from(edge));
-                    self.reals[to as usize] = f64::from(*counter);
+                    for row in rows.clone() {
+                        let edge = !self.remember(of, memory, row) && self.bool(of, row);
+                        let counter = &mut self.counters[counter as usize];
+                        *counter = counter.saturating_add(u32::from(edge));
+                        self.reals[to as usize][row] = f64::from(*counter);
+                    }
                 }
-                Step::Not { of, to } => self.bools[to as usize] = !self.bool(of),
-                Step::All { ref of, to } => {
-                    self.bools[to as usize] = code.bool_lists[range(of)].iter().all(|&bool| self.bool(bool));
-                }
-                Step::Any { ref of, to } => {
-                    self.bools[to as usize] = code.bool_lists[range(of)].iter().any(|&bool| self.bool(bool));
-                }
+                Step::Not { of, to } => self.set_bools(to, |memory, row| !memory.bool(of, row)),
+                Step::All { ref of, to } => self
+                    .set_bools(to, |memory, row| code.bool_lists[range(of)].iter().all(|&bool| memory.bool(bool, row))),
+                Step::Any { ref of, to } => self
+                    .set_bools(to, |memory, row| code.bool_lists[range(of)].iter().any(|&bool| memory.bool(bool, row))),
             }
         }
     }
 
+    /// The smallest or the largest of some numbers; `none` of none.
+    fn fold(&mut self, list: &[Real], none: f64, choose: impl Fn(f64, f64) -> f64, to: Real) {
+        let [first, rest @ ..] = list else { return self.set_reals(to, |_, _| none) };
+        let mut values = *self.reals(*first);
+        for real in rest {
+            for (value, other) in values.iter_mut().zip(self.reals(*real)) {
+                *value = choose(*value, *other);
+            }
+        }
+        self.reals[to as usize] = values;
+    }
+
     /// A number from sets or numbers, each with a strength.
-    fn defuzzify(&mut self, code: &Code, step: &Step) {
+    fn defuzzify(&mut self, code: &Code, step: &Step, row: usize) {
         let mut of_sets = std::mem::take(&mut self.strengths);
         of_sets.clear();
-        let list = |of: &Range<u32>| code.real_lists[range(of)].iter().map(|&real| self.real(real));
+        let list = |of: &Range<u32>| code.real_lists[range(of)].iter().map(|&real| self.real(real, row));
         if let Step::Outline { strengths, .. } | Step::Midpoints { strengths, .. } = step {
             of_sets.extend(list(strengths));
         }
         let (value, to) = match *step {
             Step::Centroid { ref slabs, center, to } => {
                 let held = code.slabs[range(slabs)].iter().map(|slab| {
-                    kernel::slab(self.real(slab.strength), slab.floor, slab.thickness, slab.area, slab.moment)
+                    kernel::slab(self.real(slab.strength, row), slab.floor, slab.thickness, slab.area, slab.moment)
                 });
                 let (area, moment) = held.fold((0.0, 0.0), |sum, slab| (sum.0 + slab.0, sum.1 + slab.1));
                 (center + kernel::weighted_mean(area, moment), to)
@@ -231,33 +289,34 @@ impl Memory {
             }
             _ => return,
         };
-        self.reals[to as usize] = value;
+        self.reals[to as usize][row] = value;
         self.strengths = of_sets;
     }
 
     /// What a truth value was on the tick before; remembers what it is now.
-    fn remember(&mut self, of: Bool, memory: u32) -> bool {
-        let now = self.bool(of);
+    fn remember(&mut self, of: Bool, memory: u32, row: usize) -> bool {
+        let now = self.bool(of, row);
         std::mem::replace(&mut self.memories[memory as usize], now)
     }
 }
 
-fn degree(x: f64, shape: &Shape, points: &[(f64, f64)]) -> f64 {
+/// Degrees of membership. The shape is looked at once, and what it does to all rows is a loop of its own.
+fn degrees<const ROWS: usize>(x: [f64; ROWS], shape: &Shape, points: &[(f64, f64)]) -> [f64; ROWS] {
     match *shape {
-        Shape::Ramp { zero_at, one_at } => kernel::ramp(x, zero_at, one_at),
-        Shape::Triangle([a, b, c]) => kernel::triangle(x, a, b, c),
-        Shape::Trapezoid([a, b, c, d]) => kernel::trapezoid(x, a, b, c, d),
-        Shape::Rectangle([low, high]) => kernel::rectangle(x, low, high),
-        Shape::Singleton(at) => kernel::singleton(x, at),
-        Shape::Points(ref of) => kernel::points(x, &points[range(of)]),
-        Shape::Gaussian([mean, deviation]) => kernel::gaussian(x, mean, deviation),
-        Shape::Gaussian2([low, below, high, above]) => kernel::gaussian2(x, low, below, high, above),
-        Shape::Bell([center, width, slope]) => kernel::bell(x, center, width, slope),
-        Shape::Sigmoid([inflection, slope]) => kernel::sigmoid(x, inflection, slope),
-        Shape::Rise([a, b]) => kernel::rise(x, a, b),
-        Shape::Fall([a, b]) => kernel::fall(x, a, b),
-        Shape::RiseAndFall([a, b, c, d]) => kernel::rise_and_fall(x, a, b, c, d),
-        Shape::Cosine([center, width]) => kernel::cosine(x, center, width),
+        Shape::Ramp { zero_at, one_at } => x.map(|x| kernel::ramp(x, zero_at, one_at)),
+        Shape::Triangle([a, b, c]) => x.map(|x| kernel::triangle(x, a, b, c)),
+        Shape::Trapezoid([a, b, c, d]) => x.map(|x| kernel::trapezoid(x, a, b, c, d)),
+        Shape::Rectangle([low, high]) => x.map(|x| kernel::rectangle(x, low, high)),
+        Shape::Singleton(at) => x.map(|x| kernel::singleton(x, at)),
+        Shape::Points(ref of) => x.map(|x| kernel::points(x, &points[range(of)])),
+        Shape::Gaussian([mean, deviation]) => x.map(|x| kernel::gaussian(x, mean, deviation)),
+        Shape::Gaussian2([low, below, high, above]) => x.map(|x| kernel::gaussian2(x, low, below, high, above)),
+        Shape::Bell([center, width, slope]) => x.map(|x| kernel::bell(x, center, width, slope)),
+        Shape::Sigmoid([inflection, slope]) => x.map(|x| kernel::sigmoid(x, inflection, slope)),
+        Shape::Rise([a, b]) => x.map(|x| kernel::rise(x, a, b)),
+        Shape::Fall([a, b]) => x.map(|x| kernel::fall(x, a, b)),
+        Shape::RiseAndFall([a, b, c, d]) => x.map(|x| kernel::rise_and_fall(x, a, b, c, d)),
+        Shape::Cosine([center, width]) => x.map(|x| kernel::cosine(x, center, width)),
     }
 }
 

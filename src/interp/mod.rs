@@ -8,4 +8,4 @@ mod memory;
 mod network;
 
 pub use machine::{Actuators, Inputs, Machine, Phase, Reading, Taken};
-pub use network::Evaluator;
+pub use network::{Columns, Evaluator};

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::diag::nearest;
-use crate::interp::{Evaluator, Reading};
+use crate::interp::Columns;
 use crate::plan::NetworkPlan;
 
 /// Why a table of readings cannot be evaluated.
@@ -49,31 +49,63 @@ pub fn eval_csv(plan: &NetworkPlan, text: &str, dt: u64) -> Result<String, Table
     let outputs = plan.outputs.iter().flat_map(|output| ["", ".fired"].map(|part| format!("{}{part}", output.name)));
     write(&mut writer, header.iter().map(str::to_owned).chain(named).chain(outputs))?;
 
-    let mut evaluator = Evaluator::new(plan);
-    let mut readings = vec![Reading { value: f64::NAN, healthy: false }; plan.inputs.len()];
+    let mut block = Block { columns: Columns::new(plan), readings: vec![Vec::new(); plan.inputs.len()], dt };
     for record in reader.records() {
         let record = record.map_err(|wrong| unreadable(text, &wrong))?;
-        let mut fields = Vec::with_capacity(inputs.len() + 3 * plan.events.len() + 2 * plan.outputs.len());
         for (&input, field) in inputs.iter().zip(&record) {
             let value = number(field).ok_or_else(|| not_a_number(plan, input, field, line(text, record.position())))?;
-            fields.push(format!("{value:?}"));
-            if let Some(reading) = readings.get_mut(input) {
-                *reading = Reading { value, healthy: true };
+            if let Some(column) = block.readings.get_mut(input) {
+                column.push(value);
             }
         }
-        evaluator.evaluate(&readings, dt);
-        for event in &plan.events {
-            fields.push(evaluator.bool(event.flag).to_string());
-            fields.extend([event.contributor, event.detractor].map(|real| format!("{:?}", evaluator.real(real))));
+        if block.rows() == Columns::BLOCK {
+            block.write(plan, &inputs, &mut writer)?;
         }
-        for output in &plan.outputs {
-            fields.push(format!("{:?}", evaluator.real(output.value)));
-            fields.push(evaluator.bool(output.fired).to_string());
-        }
-        write(&mut writer, fields)?;
     }
+    block.write(plan, &inputs, &mut writer)?;
     let bytes = writer.into_inner().map_err(|wrong| error(1, wrong.to_string(), None))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Rows that are evaluated together.
+struct Block<'p> {
+    columns: Columns<'p>,
+    readings: Vec<Vec<f64>>,
+    dt: u64,
+}
+
+impl Block<'_> {
+    fn rows(&self) -> usize {
+        self.readings.first().map_or(0, Vec::len)
+    }
+
+    /// Evaluates the rows and writes their lines, with the inputs in the order of the table.
+    fn write(
+        &mut self,
+        plan: &NetworkPlan,
+        inputs: &[usize],
+        writer: &mut csv::Writer<Vec<u8>>,
+    ) -> Result<(), TableError> {
+        self.columns.evaluate(&self.readings, self.dt);
+        let columns = &self.columns;
+        for row in 0..self.rows() {
+            let readings = inputs.iter().map(|&input| format!("{:?}", self.readings[input][row]));
+            let events = plan.events.iter().flat_map(|event| {
+                let strengths = [event.contributor, event.detractor].map(|real| columns.reals(real)[row]);
+                [
+                    columns.bools(event.flag)[row].to_string(),
+                    format!("{:?}", strengths[0]),
+                    format!("{:?}", strengths[1]),
+                ]
+            });
+            let outputs = plan.outputs.iter().flat_map(|output| {
+                [format!("{:?}", columns.reals(output.value)[row]), columns.bools(output.fired)[row].to_string()]
+            });
+            write(writer, readings.chain(events).chain(outputs))?;
+        }
+        self.readings.iter_mut().for_each(Vec::clear);
+        Ok(())
+    }
 }
 
 /// The input that each column of the header names.
@@ -144,6 +176,7 @@ fn write(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interp::{Evaluator, Reading};
     use crate::report::samples;
 
     #[test]

@@ -6,6 +6,7 @@ mod architecture;
 mod charts;
 mod ci;
 mod cli;
+mod columns;
 mod corpus;
 mod defects;
 mod docs;
