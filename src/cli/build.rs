@@ -1,6 +1,5 @@
 //! `lmslc build`
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
@@ -87,9 +86,7 @@ impl Build {
         }
         match self.emit {
             Emit::Rust => self.write(&self.rust(&analysis, terminal)?, terminal)?,
-            Emit::Promela => {
-                self.of_diagrams(&analysis, "pml", terminal, |of| self.promela(&analysis, of, terminal))?;
-            }
+            Emit::Promela => self.models(&analysis, terminal)?,
             Emit::Ir => self.write(&view::program(&analysis.program), terminal)?,
             Emit::Plan => self.write(&self.plan(&analysis, terminal)?, terminal)?,
             Emit::Svg => self.pictures(&analysis, "svg", chart::svg, terminal)?,
@@ -146,37 +143,26 @@ impl Build {
         analysis.rust(&options).map_err(|reason| self.not_compiled(&reason, analysis, terminal))
     }
 
-    /// Writes something of the behaviors that the files declare: all into one text where that has a meaning, or each into
-    /// a file of its name.
-    fn of_diagrams(
-        &self,
-        analysis: &Analysis,
-        extension: &str,
-        terminal: &Terminal,
-        make: impl Fn(&[Id<Diagram>]) -> Result<String, u8>,
-    ) -> Result<(), u8> {
+    /// The behaviors that the files declare.
+    fn diagrams(&self, analysis: &Analysis, terminal: &Terminal) -> Result<Vec<Id<Diagram>>, u8> {
         let is_asked = |diagram: &Diagram| analysis.roots.contains(&diagram.symbol.span.file);
         let diagrams = analysis.program.diagrams.iter().filter(|(_, diagram)| is_asked(diagram));
         let diagrams: Vec<_> = diagrams.map(|(id, _)| id).collect();
         if diagrams.is_empty() {
             return Err(terminal.fail(&format!("`{}` holds no behavior", self.files.join("`, `")), None));
         }
-        let is_folder = |path: &&String| diagrams.len() > 1 || Path::new(path).is_dir();
-        let Some(folder) = self.output.as_ref().filter(is_folder) else {
-            return self.write(&make(&diagrams)?, terminal);
-        };
-        let name = |id: &Id<Diagram>| analysis.program.diagrams[*id].symbol.name.as_str();
-        let mut names = BTreeSet::new();
-        if let Some(twice) = diagrams.iter().find(|id| !names.insert(name(id))) {
-            let message =
-                format!("several behaviors are named `{}`, and each goes into a file of its name", name(twice));
-            return Err(terminal.fail(&message, Some("build their files one by one")));
+        Ok(diagrams)
+    }
+
+    /// Writes models: into one text, or each into a file of its name.
+    fn models(&self, analysis: &Analysis, terminal: &Terminal) -> Result<(), u8> {
+        let diagrams = self.diagrams(analysis, terminal)?;
+        if self.output.as_ref().is_none_or(|path| diagrams.len() == 1 && !Path::new(path).is_dir()) {
+            return self.write(&self.promela(analysis, &diagrams, terminal)?, terminal);
         }
-        files::make_folder(folder, terminal)?;
-        diagrams.iter().try_for_each(|id| {
-            let path = Path::new(folder).join(format!("{}.{extension}", name(id)));
-            files::write(&path.to_string_lossy(), make(&[*id])?.as_bytes(), terminal)
-        })
+        let model = |id: &Id<Diagram>| Ok((name(analysis, *id), self.promela(analysis, &[*id], terminal)?));
+        let models = diagrams.iter().map(model).collect::<Result<Vec<_>, u8>>()?;
+        files::write_each(&models, "pml", self.output.as_deref(), terminal)
     }
 
     fn pictures(
@@ -186,13 +172,11 @@ impl Build {
         draw: fn(&Chart) -> String,
         terminal: &Terminal,
     ) -> Result<(), u8> {
-        self.of_diagrams(analysis, extension, terminal, |diagrams| match diagrams {
-            [diagram] => Ok(draw(&Chart::new(&analysis.program, &analysis.sources, *diagram))),
-            several => {
-                let message = format!("there are {} behaviors, and each is a picture of its own", several.len());
-                Err(terminal.fail(&message, Some("name a folder for them, with `--output`")))
-            }
-        })
+        let diagrams = self.diagrams(analysis, terminal)?;
+        let picture =
+            |id: &Id<Diagram>| (name(analysis, *id), draw(&Chart::new(&analysis.program, &analysis.sources, *id)));
+        let pictures: Vec<_> = diagrams.iter().map(picture).collect();
+        files::write_each(&pictures, extension, self.output.as_deref(), terminal)
     }
 
     fn promela(&self, analysis: &Analysis, diagrams: &[Id<Diagram>], terminal: &Terminal) -> Result<String, u8> {
@@ -211,6 +195,10 @@ impl Build {
             terminal.fail("Promela has no names for more than 255 modes, or ways in which sensors fail", fewer)
         })
     }
+}
+
+fn name(analysis: &Analysis, diagram: Id<Diagram>) -> String {
+    analysis.program.diagrams[diagram].symbol.name.clone()
 }
 
 /// What keeps a file from being compiled, and what to do about it; `None` where findings say it.

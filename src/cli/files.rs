@@ -112,6 +112,42 @@ pub(super) fn write(path: &str, bytes: &[u8], terminal: &Terminal) -> Result<(),
     std::fs::write(path, bytes).map_err(|error| terminal.fail(&format!("`{path}` cannot be written: {error}"), None))
 }
 
+/// Writes texts, each with a name: one to where `output` says, or several each into a file of its name in that folder.
+///
+/// # Errors
+/// The exit code; the reason has been reported.
+pub(super) fn write_each(
+    texts: &[(String, String)],
+    extension: &str,
+    output: Option<&str>,
+    terminal: &Terminal,
+) -> Result<(), u8> {
+    let is_folder = |path: &&str| texts.len() > 1 || Path::new(path).is_dir();
+    match (texts, output, output.filter(is_folder)) {
+        ([(_, text)], None, _) => {
+            Terminal::print(text);
+            Ok(())
+        }
+        (_, None, _) => {
+            let message = format!("there are {} of them, and each is a text of its own", texts.len());
+            Err(terminal.fail(&message, Some("name a folder for them, with `--output`")))
+        }
+        ([(_, text)], Some(path), None) => write(path, text.as_bytes(), terminal),
+        (_, Some(folder), _) => {
+            let mut names = std::collections::BTreeSet::new();
+            if let Some((twice, _)) = texts.iter().find(|(name, _)| !names.insert(name)) {
+                let message = format!("several are named `{twice}`, and each goes into a file of its name");
+                return Err(terminal.fail(&message, Some("take their files one by one")));
+            }
+            make_folder(folder, terminal)?;
+            texts.iter().try_for_each(|(name, text)| {
+                let path = Path::new(folder).join(format!("{name}.{extension}"));
+                write(&path.to_string_lossy(), text.as_bytes(), terminal)
+            })
+        }
+    }
+}
+
 /// Makes a folder, and those it is in, where there is none yet.
 ///
 /// # Errors

@@ -15,6 +15,7 @@ mod files;
 mod fix;
 mod flags;
 mod fmt;
+mod graph;
 mod new;
 mod quantity;
 mod run;
@@ -99,6 +100,8 @@ enum Command {
     Faults(faults::Faults),
     /// Lay files out in the one canonical way
     Fmt(fmt::Fmt),
+    /// Draw mode switching diagrams, or networks
+    Graph(graph::Graph),
     /// Explain a diagnostic, by its code or its name
     Explain(explain::Explain),
 }
@@ -116,6 +119,7 @@ pub fn main() -> ExitCode {
         Command::Faults(faults) => faults.execute(&terminal),
         Command::Build(build) => build.execute(&terminal),
         Command::Fmt(fmt) => fmt.execute(&terminal),
+        Command::Graph(graph) => graph.execute(&terminal),
         Command::Explain(explain) => Ok(explain.execute(&terminal)),
     };
     // Whether a command came to its end or was cut short, its answer is an exit code.

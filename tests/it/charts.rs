@@ -1,5 +1,6 @@
 //! Pictures and listings of diagrams: nothing of the source is lost, and nothing lies upon something else.
 
+use lmslc::analysis::modes::{Fault, fault_table};
 use lmslc::driver::Analysis;
 use lmslc::view::{
     self,
@@ -72,6 +73,52 @@ fn what_is_run() {
         ["        requires input 0", "        else mode 2", "        on enter halt()", "        1: bool 12 -> ahead"]
     {
         assert!(odd.lines().any(|other| other == line), "{line}\n{odd}");
+    }
+}
+
+#[test]
+fn what_failed_sensors_take_away() {
+    let analysis = analyze_path(MANIPULATION);
+    let program = &analysis.program;
+    let (id, _) = program.diagrams.iter().find(|(_, diagram)| diagram.symbol.name == "obstacle_manipulation").unwrap();
+    let facts = fault_table(program, id, 1);
+    let force = program.sensors.iter().find(|(_, sensor)| sensor.symbol.name == "contact_force").unwrap().0;
+    let under: Vec<_> = facts.iter().filter(|facts| facts.faults.iter().any(|(sensor, _)| *sensor == force)).collect();
+    let mut chart = Chart::new(program, &analysis.sources, id);
+    chart.mark_lost(&under);
+    // Known to have failed, push is left at once; silent, nothing is heavy any more.
+    let lost: Vec<_> =
+        chart.arrows.iter().filter(|arrow| arrow.is_lost).map(|arrow| arrow.condition.as_str()).collect();
+    assert_eq!(lost, ["heavy_obstacle", "heavy_obstacle"]);
+    assert!(chart.modes.iter().all(|mode| !mode.is_lost), "each is reached while the failure is not known");
+    let svg = chart::svg(&chart);
+    assert_eq!(svg.matches("<g class=\"gone\">").count(), 2, "{svg}");
+    assert_eq!(chart::dot(&chart).matches("gray70").count(), 2);
+    chart.mark_lost(&facts.iter().filter(|facts| facts.faults == [(force, Fault::Reported)]).collect::<Vec<_>>());
+    let lost: Vec<_> = chart.modes.iter().filter(|mode| mode.is_lost).map(|mode| mode.name.as_str()).collect();
+    assert_eq!(lost, ["push"], "inhibited");
+}
+
+#[test]
+fn a_network_is_drawn_with_all_its_terms_and_rules() {
+    for path in [
+        "stdlib/networks/obstacle_id.fsfn",
+        "stdlib/networks/navigator.fsfn",
+        "stdlib/networks/preliminary_obstacle_id.fsfn",
+    ] {
+        let analysis = analyze_path(path);
+        for network in analysis.program.networks.values() {
+            let svg = view::network(&analysis.program, &analysis.sources, network);
+            let (_, texts) = drawn(&svg);
+            for input in &network.inputs {
+                let terms = &analysis.program.variables[input.variable].terms;
+                assert!(terms.iter().all(|term| texts.contains(&term.symbol.name)), "{path}: {texts}");
+            }
+            assert!(network.events.iter().all(|event| texts.contains(&event.symbol.name)), "{path}: {texts}");
+            let rules =
+                network.events.iter().map(|event| event.contributor.len() + event.detractor.len()).sum::<usize>();
+            assert_eq!(svg.matches("class=\"rule\"").count() + 2 * network.events.len(), rules, "{path}\n{svg}");
+        }
     }
 }
 

@@ -577,6 +577,43 @@ fn coverage_counts_the_rules_that_decide() {
     assert!(missed.iter().any(|missed| missed["text"] == "else -> stop"), "{missed:?}");
 }
 
+// graph
+
+#[test]
+fn graph_draws_what_it_is_asked_for() {
+    let project = Project::new(&[("wander.msd", CLEAN), ("bump.fsfn", BUMP), ("wrong.msd", WRONG)]);
+    let graph = |arguments: &[&str]| project.run(&[&["graph"], arguments].concat());
+    let shown = graph(&["wander.msd"]);
+    assert_eq!((shown.code, shown.err.as_str()), (0, ""));
+    assert!(shown.out.starts_with("<svg ") && !shown.out.contains("class=\"gone\""), "{}", shown.out);
+    assert_eq!(graph(&["wander.msd", "-o", "w.svg"]).out, "");
+    assert_eq!(project.read("w.svg"), shown.out);
+    assert!(graph(&["wander.msd", "--format", "dot"]).out.starts_with("digraph"));
+    assert!(graph(&["wander.msd", "--failed", "contact_force"]).out.starts_with("<svg "));
+    let near = graph(&["wander.msd", "--failed", "contact_farce"]);
+    assert_eq!(near.code, 2);
+    assert!(
+        near.err.contains("`wander` has no sensor `contact_farce`")
+            && near.err.contains("did you mean `contact_force`?"),
+        "{}",
+        near.err
+    );
+    let networks = graph(&["bump.fsfn", "--network", "-o", "pictures"]);
+    assert_eq!((networks.code, networks.err.as_str()), (0, ""));
+    assert!(project.read("pictures/bump.svg").contains("<title id=\"title\">Network bump</title>"));
+    assert!(project.read("pictures/other.svg").contains("pressed"));
+    assert_eq!(graph(&["bump.fsfn"]).code, 2, "no behavior");
+    assert_eq!(graph(&["wander.msd", "--network"]).code, 2, "no network");
+    assert_eq!(graph(&["bump.fsfn", "--network", "--format", "dot"]).code, 2);
+    assert_eq!(graph(&["bump.fsfn", "--network", "--failed", "x"]).code, 2);
+    let broken = graph(&["wrong.msd"]);
+    assert!(
+        broken.out.starts_with("<svg ") && broken.err.contains("error["),
+        "drawn as far as it is understood: {}",
+        broken.err
+    );
+}
+
 // new
 
 #[test]
@@ -770,7 +807,7 @@ fn build_draws_and_lists() {
         assert!(project.read(&format!("pictures/ramble.{extension}")).contains("ramble"));
         let both = build(&["wander.msd", "more", "--emit", kind]);
         assert_eq!((both.code, both.out.as_str()), (2, ""));
-        assert!(both.err.contains("there are 2 behaviors, and each is a picture of its own"), "{}", both.err);
+        assert!(both.err.contains("there are 2 of them, and each is a text of its own"), "{}", both.err);
     }
     let listing = build(&["wander.msd", "--emit", "ir"]);
     assert!(listing.out.contains("\nbehavior wander on j5\n"), "{}", listing.out);
@@ -804,7 +841,7 @@ fn build_says_what_keeps_it_from_building() {
     failed(&["wrong.msd", "--emit", "promela"], 1, "error[LM0201]");
     failed(&["wander.msd", "--emit", "promela", "-o", "none/model.pml"], 2, "`none/model.pml` cannot be written");
     let same = ["wander.msd", "again/wander.msd", "--emit", "promela", "-o"];
-    failed(&[same.as_slice(), &["models"]].concat(), 2, "several behaviors are named `wander`");
+    failed(&[same.as_slice(), &["models"]].concat(), 2, "several are named `wander`");
     let several = ["wander.msd", "ramble.msd", "--emit", "promela", "-o", "bump.fsfn"];
     failed(&several, 2, "the folder `bump.fsfn` cannot be made");
     assert!(project.run(&["build", "doubtful.msd", "--emit", "promela"]).err.contains("warning[LM0406]"));

@@ -10,12 +10,12 @@ const STYLE: &str = "text{font:11px \"Helvetica Neue\",Helvetica,Arial,\"DejaVu 
 .title{font-size:15px;font-weight:bold}.name{font-size:13px;font-weight:bold}.quiet{fill:#666}\
 .sheet{fill:#fff}\
 .mode{fill:#f4f7fa;stroke:#33475b;stroke-width:1.4}.inhibited{stroke-dasharray:5 3}.rim{fill:none;stroke:#33475b}\
-.arrow{fill:none;stroke:#33475b;stroke-width:1.3}.lost{stroke:#b35900;stroke-dasharray:4 3}\
-.head{fill:#33475b}.lost-head{fill:#b35900}.start{fill:#33475b}\
+.arrow{fill:none;stroke:#33475b;stroke-width:1.3}.otherwise{stroke:#b35900;stroke-dasharray:4 3}\
+.gone{opacity:.28}.head{fill:#33475b}.otherwise-head{fill:#b35900}.start{fill:#33475b}\
 .priority{fill:#fff;stroke:#33475b;stroke-width:1.1}.number{font-size:10px;font-weight:bold}\
 @media(prefers-color-scheme:dark){text{fill:#e6e6e6}.quiet{fill:#a0a0a0}.sheet{fill:#16191d}\
-.mode{fill:#20262d;stroke:#9fb3c8}.rim{stroke:#9fb3c8}.arrow{stroke:#9fb3c8}.lost{stroke:#e69f00}.head,.start{fill:#9fb3c8}\
-.lost-head{fill:#e69f00}.priority{fill:#16191d;stroke:#9fb3c8}}";
+.mode{fill:#20262d;stroke:#9fb3c8}.rim{stroke:#9fb3c8}.arrow{stroke:#9fb3c8}.otherwise{stroke:#e69f00}.head,.start{fill:#9fb3c8}\
+.otherwise-head{fill:#e69f00}.priority{fill:#16191d;stroke:#9fb3c8}}";
 
 /// What stays free at the edges, px.
 const EDGE: f64 = 20.0;
@@ -33,7 +33,7 @@ const DOT: f64 = 10.0;
 const LONG: usize = 30;
 
 /// Draws a diagram: modes as boxes, dashed where a failed sensor can inhibit them, with a double border where they are
-/// final; transitions as arrows with their priorities in circles; a dot that points at the entry.
+/// final; transitions as arrows with their priorities in circles; a dot that points at the entry. What is lost is pale.
 pub fn svg(chart: &Chart) -> String {
     let boxes: Vec<_> = chart.modes.iter().map(lines).collect();
     let labels: Vec<_> = chart.arrows.iter().map(label).collect();
@@ -52,28 +52,40 @@ pub fn svg(chart: &Chart) -> String {
     ));
     svg.raw(format_args!("<title id=\"title\">Mode switching diagram {name}</title>"));
     svg.raw(format_args!("<style>{STYLE}</style>"));
-    svg.raw(format_args!("<defs>{}{}</defs>", head("head"), head("lost-head")));
+    svg.raw(format_args!("<defs>{}{}</defs>", head("head"), head("otherwise-head")));
     svg.raw(format_args!("<rect class=\"sheet\" width=\"{width}\" height=\"{height}\"/>"));
     svg.text("title", (EDGE, EDGE + 12.0), Anchor::Start, &chart.name);
     svg.raw(format_args!("<g transform=\"translate({} {})\">", Px(left), Px(top)));
     let arrows = || chart.arrows.iter().map(Some).chain(chart.entry.map(|_| None)).zip(&places.arrows);
     for (arrow, (points, _)) in arrows() {
-        let is_lost = arrow.is_some_and(|arrow| arrow.priority.is_none());
-        let (class, head) = if is_lost { ("arrow lost", "lost-head") } else { ("arrow", "head") };
-        svg.raw(format_args!("<path class=\"{class}\" marker-end=\"url(#{head})\" d=\"{}\"/>", curve(points)));
+        let is_otherwise = arrow.is_some_and(|arrow| arrow.priority.is_none());
+        let (class, head) = if is_otherwise { ("arrow otherwise", "otherwise-head") } else { ("arrow", "head") };
+        let gone = if arrow.is_some_and(|arrow| arrow.is_lost) { " gone" } else { "" };
+        svg.raw(format_args!("<path class=\"{class}{gone}\" marker-end=\"url(#{head})\" d=\"{}\"/>", curve(points)));
     }
     for ((mode, lines), (size, at)) in chart.modes.iter().zip(&boxes).zip(sizes.boxes.iter().zip(&places.boxes)) {
-        draw_box(&mut svg, mode, lines, *size, *at);
+        faded(&mut svg, mode.is_lost, |svg| draw_box(svg, mode, lines, *size, *at));
     }
     if let (Some(_), Some(at)) = (chart.entry, places.boxes.get(chart.modes.len())) {
         svg.raw(format_args!("<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\"5\"/>", Px(at.0), Px(at.1)));
     }
     for ((arrow, lines), (_, at)) in chart.arrows.iter().zip(&labels).zip(&places.arrows) {
-        draw_label(&mut svg, arrow, lines, *at);
+        faded(&mut svg, arrow.is_lost, |svg| draw_label(svg, arrow, lines, *at));
     }
     svg.raw("</g>");
     svg.raw("</svg>");
     svg.into_text()
+}
+
+/// Draws something pale where it is lost.
+fn faded(svg: &mut Svg, is_lost: bool, draw: impl FnOnce(&mut Svg)) {
+    if is_lost {
+        svg.raw("<g class=\"gone\">");
+    }
+    draw(svg);
+    if is_lost {
+        svg.raw("</g>");
+    }
 }
 
 /// The tip of an arrow.

@@ -18,12 +18,19 @@ pub fn mermaid(chart: &Chart) -> String {
     if let Some(entry) = chart.entry {
         let _ = writeln!(text, "    [*] --> m{entry}");
     }
-    for Arrow { from, to, priority, condition } in &chart.arrows {
+    for Arrow { from, to, priority, condition, is_lost, .. } in &chart.arrows {
         let priority = priority.map_or_else(String::new, |priority| format!("{priority}#58; "));
-        let _ = writeln!(text, "    m{from} --> m{to}: {priority}{}", Escaped(condition));
+        // The language has no way to draw an arrow otherwise.
+        let lost = if *is_lost { " (never taken)" } else { "" };
+        let _ = writeln!(text, "    m{from} --> m{to}: {priority}{}{lost}", Escaped(condition));
     }
     for (index, _) in chart.modes.iter().enumerate().filter(|(_, mode)| mode.is_final) {
         let _ = writeln!(text, "    m{index} --> [*]");
+    }
+    let lost = chart.modes.iter().enumerate().filter(|(_, mode)| mode.is_lost).map(|(index, _)| format!("m{index}"));
+    let lost: Vec<_> = lost.collect();
+    if !lost.is_empty() {
+        let _ = writeln!(text, "    classDef lost opacity:0.3\n    class {} lost", lost.join(","));
     }
     text
 }

@@ -9,8 +9,10 @@ pub use dot::dot;
 pub use drawing::svg;
 pub use mermaid::mermaid;
 
+use crate::analysis::modes::{Facts, ModeFacts};
 use crate::base::{Id, Sources, Span};
-use crate::ir::{Call, Diagram, Mode, Program, Sensor, Transition};
+use crate::ir::Diagram;
+use crate::ir::{Call, Mode, Program, Sensor};
 
 /// What a picture of a diagram shows, in the words of the source.
 #[derive(Debug)]
@@ -36,6 +38,8 @@ pub struct ModeBox {
     pub requires: Vec<String>,
     /// Whether it has no way out on purpose.
     pub is_final: bool,
+    /// Whether the machine cannot be in it, or is not let in, as far as sensors are taken to have failed.
+    pub is_lost: bool,
 }
 
 /// A transition as an arrow.
@@ -49,6 +53,10 @@ pub struct Arrow {
     pub priority: Option<u32>,
     /// Its condition.
     pub condition: String,
+    /// Whether it is never taken, as far as sensors are taken to have failed.
+    pub is_lost: bool,
+    /// Its position among the transitions of its mode; none for the way out of a mode without what it requires.
+    exit: Option<usize>,
 }
 
 impl Chart {
@@ -61,6 +69,7 @@ impl Chart {
             commands: mode.actions.iter().map(|call: &Call| on_one_line(sources.slice(call.span))).collect(),
             requires: mode.requires.iter().map(sensor).collect(),
             is_final: mode.is_final,
+            is_lost: false,
         };
         let mut arrows = Vec::new();
         for (id, mode) in diagram.modes.iter() {
@@ -69,11 +78,12 @@ impl Chart {
                 let lost: Vec<_> =
                     mode.requires.iter().map(|required| format!("failed({})", sensor(required))).collect();
                 let (to, condition) = (otherwise.index(), lost.join(" or "));
-                arrows.push(Arrow { from, to, priority: None, condition });
+                arrows.push(Arrow { from, to, priority: None, condition, is_lost: false, exit: None });
             }
-            arrows.extend(mode.transitions.iter().filter_map(|transition: &Transition| {
+            arrows.extend(mode.transitions.iter().enumerate().filter_map(|(index, transition)| {
                 let condition = on_one_line(sources.slice(program.exprs[transition.condition].span));
-                Some(Arrow { from, to: transition.target?.index(), priority: Some(transition.priority), condition })
+                let (to, priority) = (transition.target?.index(), Some(transition.priority));
+                Some(Arrow { from, to, priority, condition, is_lost: false, exit: Some(index) })
             }));
         }
         Self {
@@ -81,6 +91,23 @@ impl Chart {
             modes: diagram.modes.values().map(of_mode).collect(),
             arrows,
             entry: diagram.entry.map(Id::index),
+        }
+    }
+}
+
+impl Chart {
+    /// Marks what is lost under every one of some sets of failed sensors.
+    pub fn mark_lost(&mut self, under: &[&Facts]) {
+        let modes = |mode: usize| under.iter().map(move |facts| &facts.modes[mode]);
+        for (index, mode) in self.modes.iter_mut().enumerate() {
+            mode.is_lost = modes(index).all(|mode| !mode.reachable || mode.inhibited);
+        }
+        for arrow in &mut self.arrows {
+            let is_taken = |mode: &ModeFacts| match arrow.exit {
+                Some(exit) => mode.exits[exit].is_some(),
+                None => mode.inhibited,
+            };
+            arrow.is_lost = modes(arrow.from).all(|mode| !mode.reachable || !is_taken(mode));
         }
     }
 }

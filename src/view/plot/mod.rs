@@ -11,6 +11,7 @@ mod samples;
 
 use super::svg::{self, Escaped, Px, Svg};
 use crate::trace::{ModeChange, Trace, seconds};
+pub(super) use scale::Scale;
 use sheet::Sheet;
 
 /// Colors that differ for every kind of color vision (Okabe and Ito 2008), the lightest ones left out.

@@ -6,22 +6,22 @@ use crate::view::svg::Px;
 
 /// A linear map from a quantity to px.
 #[derive(Clone, Copy)]
-pub(super) struct Scale {
-    pub(super) low: f64,
-    pub(super) high: f64,
+pub(in crate::view) struct Scale {
+    pub(in crate::view) low: f64,
+    pub(in crate::view) high: f64,
     /// Where `low` is, px.
-    pub(super) from: f64,
+    pub(in crate::view) from: f64,
     /// Where `high` is, px.
-    pub(super) to: f64,
+    pub(in crate::view) to: f64,
 }
 
 impl Scale {
-    pub(super) fn px(&self, value: f64) -> f64 {
+    pub(in crate::view) fn px(&self, value: f64) -> f64 {
         self.from + (value - self.low) / (self.high - self.low) * (self.to - self.from)
     }
 
     /// Round numbers from `low` to `high`, about `count` of them, with the decimals they need.
-    pub(super) fn ticks(&self, count: f64) -> Vec<(f64, String)> {
+    pub(in crate::view) fn ticks(&self, count: f64) -> Vec<(f64, String)> {
         let step = round_step((self.high - self.low) / count);
         let decimals = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
         let (first, last) = ((self.low / step - 1e-9).ceil() as i64, (self.high / step + 1e-9).floor() as i64);
