@@ -614,6 +614,25 @@ fn graph_draws_what_it_is_asked_for() {
     );
 }
 
+/// The pictures of the documentation are those that the commands in it draw. With `UPDATE_PICTURES=1` they are redrawn.
+#[test]
+fn graph_drew_the_pictures_of_the_documentation() {
+    let page = std::fs::read_to_string(root().join("docs/diagrams.md")).unwrap();
+    let commands: Vec<_> = page.lines().filter_map(|line| line.strip_prefix("lmslc ")).collect();
+    assert_eq!(commands.len(), 3);
+    for (command, image) in commands.iter().zip(page.split("](images/").skip(1)) {
+        let image = format!("docs/images/{}", image.split_once(')').unwrap().0);
+        let arguments: Vec<_> = command.split(' ').take_while(|word| *word != "-o").collect();
+        let output = Command::new(env!("CARGO_BIN_EXE_lmslc")).args(&arguments).current_dir(root()).output().unwrap();
+        let drawn = String::from_utf8(output.stdout).unwrap();
+        if std::env::var("UPDATE_PICTURES").is_ok() {
+            std::fs::write(root().join(&image), &drawn).unwrap();
+        }
+        let kept = std::fs::read_to_string(root().join(&image)).unwrap_or_default();
+        assert!(kept == drawn, "{image} is out of date; UPDATE_PICTURES=1 cargo test redraws it");
+    }
+}
+
 // new
 
 #[test]
