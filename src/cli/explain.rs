@@ -10,18 +10,14 @@ use crate::diag::{self, RULES, find_rule, rules};
 pub(super) struct Explain {
     /// A code such as LM0403, or a name such as duplicate-priority; all are listed without one
     rule: Option<String>,
+    /// List the diagnostics whose pages speak of this instead
+    #[arg(short, long, value_name = "TEXT", conflicts_with = "rule")]
+    search: Option<String>,
 }
 
 impl Explain {
     pub(super) fn execute(&self, terminal: &Terminal) -> u8 {
-        let Some(wanted) = &self.rule else {
-            let width = RULES.iter().map(|rule| rule.name.len()).max().unwrap_or(0);
-            let line = |rule: &&diag::Rule| {
-                format!("{}  {:width$}  {:7}  {}\n", rule.code, rule.name, rule.level.name(), rule.summary)
-            };
-            Terminal::print(&RULES.iter().map(line).collect::<String>());
-            return super::CLEAN;
-        };
+        let Some(wanted) = &self.rule else { return self.list(terminal) };
         match find_rule(wanted) {
             Some(rule) => {
                 Terminal::print(rule.page);
@@ -33,5 +29,21 @@ impl Explain {
                 terminal.fail(&format!("there is no diagnostic `{wanted}`"), Some(&help))
             }
         }
+    }
+
+    /// Lists all diagnostics, or those that speak of what is searched for.
+    fn list(&self, terminal: &Terminal) -> u8 {
+        let wanted = self.search.as_deref().unwrap_or_default().to_lowercase();
+        let speaks = |rule: &&diag::Rule| format!("{} {}", rule.name, rule.page).to_lowercase().contains(&wanted);
+        let found: Vec<_> = RULES.iter().copied().filter(speaks).collect();
+        if found.is_empty() {
+            return terminal.fail(&format!("no diagnostic speaks of `{wanted}`"), Some("`lmslc explain` lists all"));
+        }
+        let width = found.iter().map(|rule| rule.name.len()).max().unwrap_or(0);
+        let line = |rule: &&diag::Rule| {
+            format!("{}  {:width$}  {:7}  {}\n", rule.code, rule.name, rule.level.name(), rule.summary)
+        };
+        Terminal::print(&found.iter().map(line).collect::<String>());
+        super::CLEAN
     }
 }

@@ -1,11 +1,12 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
 //! Imports: analysis, base, diag, driver, emit, interp, ir, plan, report, sim, view
-//! Crates: clap, rayon, serde, similar, toml
+//! Crates: clap, clap_complete, clap_mangen, rayon, serde, similar, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
 mod build;
 mod check;
+mod completions;
 mod config;
 mod counterexamples;
 mod eval;
@@ -104,6 +105,10 @@ enum Command {
     Graph(graph::Graph),
     /// Explain a diagnostic, by its code or its name
     Explain(explain::Explain),
+    /// Print what a shell needs to complete commands, flags and files
+    Completions(completions::Completions),
+    /// Print the manual, for `man -l -`
+    Man,
 }
 
 /// Parses the process's arguments, does what they say, and answers the exit code.
@@ -121,6 +126,8 @@ pub fn main() -> ExitCode {
         Command::Fmt(fmt) => fmt.execute(&terminal),
         Command::Graph(graph) => graph.execute(&terminal),
         Command::Explain(explain) => Ok(explain.execute(&terminal)),
+        Command::Completions(completions) => Ok(completions.execute()),
+        Command::Man => Ok(completions::man()),
     };
     // Whether a command came to its end or was cut short, its answer is an exit code.
     ExitCode::from(code.unwrap_or_else(|code| code))

@@ -179,7 +179,12 @@ fn own(path: String) -> String {
 /// The findings of a file that does not parse.
 pub fn format(sources: &Sources, file: FileId) -> Result<String, Vec<Diagnostic>> {
     let text = sources.get(file).map_or("", |source| &source.text);
-    syntax::format(file, kind(sources.path(file)).unwrap_or(FileKind::Modes), text)
+    match sources.path(file) {
+        // Standard input has no ending that says what it holds.
+        "-" => syntax::format(file, FileKind::Modes, text)
+            .or_else(|findings| syntax::format(file, FileKind::Fusion, text).map_err(|_| findings)),
+        path => syntax::format(file, kind(path).unwrap_or(FileKind::Modes), text),
+    }
 }
 
 /// The kind of file a path names.

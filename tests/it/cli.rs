@@ -577,6 +577,32 @@ fn coverage_counts_the_rules_that_decide() {
     assert!(missed.iter().any(|missed| missed["text"] == "else -> stop"), "{missed:?}");
 }
 
+// completions, man
+
+#[test]
+fn shells_and_manuals_know_every_command() {
+    let project = Project::new(&[]);
+    let commands = ["check", "build", "run", "test", "eval", "faults", "fmt", "graph", "new", "explain"];
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let answer = project.run(&["completions", shell]);
+        assert_eq!((answer.code, answer.err.as_str()), (0, ""));
+        assert!(commands.iter().all(|command| answer.out.contains(command)), "{shell}");
+    }
+    assert_eq!(project.run(&["completions", "abacus"]).code, 2);
+    let manual = project.run(&["man"]);
+    assert!(commands.iter().all(|command| manual.out.contains(&format!("lmslc\\-{command}"))), "{}", manual.out);
+}
+
+#[test]
+fn explain_searches_its_pages() {
+    let project = Project::new(&[]);
+    let found = project.run(&["explain", "--search", "Hysteresis"]);
+    assert!(found.out.contains("LM0524  unsteady-at-rest") && !found.out.contains("LM0101"), "{}", found.out);
+    let none = project.run(&["explain", "--search", "unicorns"]);
+    assert_eq!(none.code, 2);
+    assert!(none.err.contains("no diagnostic speaks of `unicorns`"), "{}", none.err);
+}
+
 // graph
 
 #[test]
@@ -680,6 +706,8 @@ fn fmt_lays_files_out() {
     assert_eq!(project.run(&["fmt", "--check", "a"]).code, 0);
     let piped = project.run_with(&["fmt", "-"], rough.as_bytes());
     assert_eq!((piped.code, piped.out.as_str()), (0, CLEAN));
+    let network = project.run_with(&["fmt", "-"], BUMP.as_bytes());
+    assert_eq!(network.code, 0, "{}", network.err);
     let wrong = project.run(&["fmt", "wrong.msd", "a"]);
     assert_eq!(wrong.code, 1);
     assert!(wrong.err.contains("error[LM0101]") && wrong.err.contains("1 file not understood"), "{}", wrong.err);
