@@ -261,13 +261,19 @@ pub fn weighted_mean(weights: f64, weighted: f64) -> f64 {
     if weights > 0.0 { weighted / weights } else { 0.0 }
 }
 
+/// How far a strength reaches into what lies above the degree `floor` and is `thickness` high.
+#[inline]
+pub fn reach(strength: f64, floor: f64, thickness: f64) -> f64 {
+    minimum(maximum(strength - floor, 0.0), thickness)
+}
+
 /// What a set holds between two degrees while it is clipped at `strength`: its area, and its moment about the point to
 /// which `moment` belongs. Both are polynomials in how far the strength reaches into the slab, which begins at the
 /// degree `floor` and is `thickness` high: the width of a piecewise-linear set at a degree is linear in the degree, so
 /// its area is a quadratic and its moment a cubic, without constant terms.
 #[inline]
 pub fn slab(strength: f64, floor: f64, thickness: f64, area: (f64, f64), moment: (f64, f64, f64)) -> (f64, f64) {
-    let height = minimum(maximum(strength - floor, 0.0), thickness);
+    let height = reach(strength, floor, thickness);
     (height * (area.0 + height * area.1), height * (moment.0 + height * (moment.1 + height * moment.2)))
 }
 
@@ -328,8 +334,8 @@ fn outline<'a>(
             // From inside, where a bend too near to an end to be told from it does not show.
             let degree = |part| joined(share + part * (next - share), strengths, lines, imply, join);
             let (before, behind) = (degree(0.25), degree(0.75));
-            let reach = |near: f64, far: f64| maximum(near + 0.5 * (near - far), 0.0);
-            piece((x, end), (reach(before, behind), 0.5 * (before + behind), reach(behind, before)));
+            let at_end = |near: f64, far: f64| maximum(near + 0.5 * (near - far), 0.0);
+            piece((x, end), (at_end(before, behind), 0.5 * (before + behind), at_end(behind, before)));
             (share, x) = (next, end);
         }
     }

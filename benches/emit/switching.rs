@@ -31,6 +31,7 @@
     clippy::too_many_arguments,
     clippy::too_many_lines,
     clippy::trivially_copy_pass_by_ref,
+    clippy::type_complexity,
     reason = "sizes are the user's"
 )]
 #[allow(

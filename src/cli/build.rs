@@ -217,9 +217,5 @@ pub(super) fn explain(reason: &NotCompiled, file: &str) -> Option<(String, Strin
             format!("`{behavior}` is not written for a robot of that name"),
             "name one that provides its interface".to_owned(),
         )),
-        NotCompiled::Output(network) => Some((
-            format!("`{network}` has continuous outputs, which this version does not compile to Rust"),
-            "`lmslc eval`, `run` and `test` evaluate them".to_owned(),
-        )),
     }
 }

@@ -18,8 +18,6 @@ pub enum NotCompiled {
     Ambiguous(String, Vec<String>),
     /// No robot of that name provides what a behavior is written on: the behavior's name.
     NotWrittenFor(String),
-    /// A network has continuous outputs, which are not compiled yet: its name.
-    Output(String),
 }
 
 /// Plans of everything that is compiled together.
@@ -39,9 +37,6 @@ impl Analysis {
     /// Where there is nothing to compile, or no single way to do it.
     pub fn rust(&self, options: &Options) -> Result<String, NotCompiled> {
         let Plans { networks, diagrams } = self.plans(options.robot.as_deref())?;
-        if let Some(network) = networks.iter().find(|network| !network.outputs.is_empty()) {
-            return Err(NotCompiled::Output(network.name.clone()));
-        }
         let program =
             emit::Program { roots: &self.roots, sources: &self.sources, networks: &networks, diagrams: &diagrams };
         Ok(emit::rust(&program, options))

@@ -8,7 +8,7 @@ use quote::quote;
 use super::expression::{self, Expression};
 use super::graph::Node;
 use super::modes::ModeParts;
-use super::wiring::Wiring;
+use super::wiring::{Says, Sensed, Wiring};
 use super::{Emission, layout};
 use crate::plan::Step;
 
@@ -55,8 +55,8 @@ impl<'w> Block<'w> {
             if self.bound.contains(&node) {
                 continue;
             }
-            if let Some((sense, _)) = wiring.events.get(&node) {
-                self.sense(*sense);
+            if let Some((sense, _)) = wiring.said(node) {
+                self.sense(sense);
             } else if let Some(name) = wiring.names.get(&node)
                 && !self.kept_here(node)
             {
@@ -67,14 +67,15 @@ impl<'w> Block<'w> {
         }
     }
 
-    /// The events of a network.
-    fn sense(&mut self, index: usize) {
-        let sense = &self.wiring.senses[index];
-        let (name, method) = (&sense.name, &sense.method);
-        let memory = sense.network.remembers().then(|| quote! { &mut self.#name, dt_ns });
+    /// What a network says.
+    fn sense(&mut self, sense: &Sensed<'_>) {
+        let Sensed { name, method, memory, says, .. } = sense;
+        let dt = (*says == Says::Events).then(|| quote! { , dt_ns });
+        let memory = sense.remembers().then(|| quote! { &mut self.#memory #dt });
         self.statements.extend(quote! { let #name = inputs.#method(#memory); });
-        let events = self.wiring.events.iter().filter(|(_, (of, _))| *of == index);
-        self.bound.extend(events.map(|(node, _)| *node));
+        let said = self.wiring.events.keys().chain(self.wiring.outputs.keys());
+        let same = said.filter(|&&node| self.wiring.said(node).is_some_and(|(of, _)| of.name == *name));
+        self.bound.extend(same);
     }
 
     /// Whether a step is a stopwatch, a latch or a counter that is kept where these statements run.
@@ -145,9 +146,9 @@ impl<'w> Block<'w> {
     /// The value of a step that has been computed, or that is an expression of such.
     pub(super) fn value(&self, node: Node) -> Expression {
         let wiring = self.wiring;
-        if let Some((sense, event)) = wiring.events.get(&node) {
-            let sense = &wiring.senses[*sense].name;
-            return Expression::whole(quote! { #sense.#event });
+        if let Some((Sensed { name: sense, says, .. }, name)) = wiring.said(node) {
+            let value = (*says == Says::Outputs).then(|| quote! { .value });
+            return Expression::whole(quote! { #sense.#name #value });
         }
         match wiring.names.get(&node) {
             Some(name) => Expression::whole(quote! { #name }),
@@ -220,7 +221,6 @@ impl<'w> Block<'w> {
             | Step::Lasts { .. }
             | Step::Latched { .. }
             | Step::Count { .. }
-            // Programs with outputs are not emitted.
             | Step::TNorm { .. }
             | Step::SNorm { .. }
             | Step::Weigh { .. }

@@ -9,18 +9,14 @@ use super::formula::{self, Formula};
 use super::graph::{Graph, Node};
 use super::names::{Scope, plain};
 use super::network::Network;
-use super::{Emission, layout};
+use super::{Emission, layout, outputs};
 use crate::plan::{Real, Step};
 
 /// The functions that weigh readings.
 pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenStream {
-    let Network { plan, inputs, events, .. } = network;
-    let (float, blank) = (emission.float(), layout::blank());
-    let safe = plan
-        .inputs
-        .iter()
-        .zip(inputs)
-        .map(|(input, name)| emission.sanitized(&quote! { inputs.#name }, &quote! { true }, input));
+    let Network { plan, events, .. } = network;
+    let blank = layout::blank();
+    let safe = safe(emission, network);
     let mut inference = Inference::new(network);
     let graph = &inference.graph;
     let sides: Vec<[Formula; 2]> = plan
@@ -56,12 +52,7 @@ pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenS
         }
     });
     let weighed: Vec<_> = weighed.collect();
-    // An input that no rule looks at is taken all the same.
-    let read = inference.read;
-    let parameters = inputs
-        .iter()
-        .enumerate()
-        .map(|(index, name)| if read.contains(&index) { name.clone() } else { format_ident!("_{}", plain(name)) });
+    let parameters = inference.parameters(emission);
     let docs = layout::doc(&["The strengths of safe readings."]);
     quote! {
         #blank
@@ -69,12 +60,12 @@ pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenS
         #[must_use]
         #[inline(always)]
         pub fn strengths(inputs: &Inputs) -> Strengths {
-            weigh(#(#safe),*)
+            weigh(#safe)
         }
         #blank
         #docs
         #[inline(always)]
-        pub(super) fn weigh(#(#parameters: #float),*) -> Strengths {
+        pub(super) fn weigh(#parameters) -> Strengths {
             #degrees
             #(#weighed)*
             Strengths { #(#events),* }
@@ -82,8 +73,15 @@ pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenS
     }
 }
 
+/// The readings made safe, as arguments.
+pub(super) fn safe(emission: Emission<'_>, network: &Network<'_>) -> TokenStream {
+    let inputs = network.plan.inputs.iter().zip(&network.inputs);
+    let safe = inputs.map(|(input, name)| emission.sanitized(&quote! { inputs.#name }, &quote! { true }, input));
+    quote! { #(#safe),* }
+}
+
 /// The rules of one side as the steps that their minima are taken over, factored.
-fn factored(rules: &[Real], graph: &Graph<'_>) -> Formula {
+pub(super) fn factored(rules: &[Real], graph: &Graph<'_>) -> Formula {
     let rules = rules.iter().filter_map(|&rule| graph.real(rule)).map(|rule| match &graph.code.steps[rule] {
         Step::Minimum { of, .. } => graph.real_list(of).iter().filter_map(|&real| graph.real(real)).collect(),
         _ => vec![rule],
@@ -92,20 +90,20 @@ fn factored(rules: &[Real], graph: &Graph<'_>) -> Formula {
 }
 
 /// The degrees of a network and the names they are computed under.
-struct Inference<'a> {
-    graph: Graph<'a>,
+pub(super) struct Inference<'a> {
+    pub(super) graph: Graph<'a>,
     /// The term of each degree, by step: the position of its input and its name.
     terms: HashMap<Node, (usize, &'a str)>,
     inputs: &'a [Ident],
-    scope: Scope,
-    names: HashMap<Node, Ident>,
+    pub(super) scope: Scope,
+    pub(super) names: HashMap<Node, Ident>,
     /// The inputs that were looked at.
-    read: BTreeSet<usize>,
+    pub(super) read: BTreeSet<usize>,
 }
 
 impl<'a> Inference<'a> {
-    fn new(network: &'a Network<'a>) -> Self {
-        let Network { plan, inputs, events, .. } = network;
+    pub(super) fn new(network: &'a Network<'a>) -> Self {
+        let Network { plan, inputs, events, outputs, .. } = network;
         let graph = Graph::new(&plan.code);
         let mut terms = HashMap::new();
         for (input, degrees) in plan.degrees.iter().enumerate() {
@@ -115,57 +113,87 @@ impl<'a> Inference<'a> {
                 }
             }
         }
-        // Degrees are looked at until the last event is weighed.
-        let ours: Vec<String> = inputs.iter().chain(events).map(plain).collect();
+        // Degrees are looked at until the last event is weighed and the last output is known.
+        let ours: Vec<String> = inputs.iter().chain(events).chain(outputs).map(plain).collect();
         let scope = Scope::new(&ours.iter().map(String::as_str).collect::<Vec<_>>());
         Self { graph, terms, inputs, scope, names: HashMap::new(), read: BTreeSet::new() }
     }
 
-    /// A statement for each degree that is used, and for each maximum of degrees.
-    fn degrees(&mut self, emission: Emission<'_>, used: &BTreeSet<Node>) -> TokenStream {
+    /// The inputs as parameters. One that no rule looks at is taken all the same.
+    pub(super) fn parameters(&self, emission: Emission<'_>) -> TokenStream {
+        let float = emission.float();
+        let names = self.inputs.iter().enumerate();
+        let names =
+            names.map(
+                |(index, name)| {
+                    if self.read.contains(&index) { name.clone() } else { format_ident!("_{}", plain(name)) }
+                },
+            );
+        quote! { #(#names: #float),* }
+    }
+
+    /// A statement for each degree that is used, and for each strength that is made of them.
+    pub(super) fn degrees(&mut self, emission: Emission<'_>, used: &BTreeSet<Node>) -> TokenStream {
         let mut statements = TokenStream::new();
-        for node in self.graph.needed(used.iter().copied(), &BTreeSet::new()) {
-            let (name, value) = match &self.graph.code.steps[node] {
-                Step::Read { input, .. } => {
-                    self.names.insert(node, self.inputs[*input as usize].clone());
-                    self.read.insert(*input as usize);
-                    continue;
-                }
-                Step::Degree { of, shape, .. } => {
-                    (self.name(node), emission.degree(&self.operand(*of), shape, &self.graph))
-                }
-                Step::Complement { of, .. } => {
-                    let degree = self.operand(*of);
-                    (self.name(node), quote! { 1.0 - #degree })
-                }
-                Step::Very { of, .. } => {
-                    let degree = self.operand(*of);
-                    (self.name(node), quote! { kernel::very(#degree) })
-                }
-                Step::Somewhat { of, .. } => {
-                    let degree = self.operand(*of);
-                    (self.name(node), quote! { kernel::somewhat(#degree) })
-                }
-                step @ (Step::Minimum { of, .. } | Step::Maximum { of, .. }) => {
-                    let of = self.graph.real_list(of).iter().filter_map(|&real| self.graph.real(real));
-                    let of = of.map(Formula::Value).collect();
-                    let is_minimum = matches!(step, Step::Minimum { .. });
-                    let formula = if is_minimum { Formula::Minimum(of) } else { Formula::Maximum(of) };
-                    (self.name(node), formula.tokens(&|node| self.value(node)))
-                }
-                _ => continue,
-            };
-            let name = self.scope.snake(&name);
-            statements.extend(quote! { let #name = #value; });
-            self.names.insert(node, name);
+        for node in self.graph.needed(used.iter().copied(), &self.names.keys().copied().collect()) {
+            if let Step::Read { input, .. } = self.graph.code.steps[node] {
+                self.names.insert(node, self.inputs[input as usize].clone());
+                self.read.insert(input as usize);
+            } else {
+                let (name, value) = (self.name(node), self.operation(emission, node));
+                statements.extend(self.named(node, &name, &value));
+            }
         }
         statements
     }
 
-    /// `left_neg`, `left_not_neg`, `left_neg_or_zero`, `left_any`.
+    /// A statement that gives the value of a step a name.
+    pub(super) fn named(&mut self, node: Node, name: &str, value: &TokenStream) -> TokenStream {
+        let name = self.scope.snake(name);
+        let statement = quote! { let #name = #value; };
+        self.names.insert(node, name);
+        statement
+    }
+
+    /// A step of degrees or strengths whose operands have names.
+    pub(super) fn operation(&self, emission: Emission<'_>, node: Node) -> TokenStream {
+        match &self.graph.code.steps[node] {
+            Step::Degree { of, shape, .. } => emission.degree(&self.operand(*of), shape, &self.graph),
+            Step::Complement { of, .. } => {
+                let degree = self.operand(*of);
+                quote! { 1.0 - #degree }
+            }
+            Step::Very { of, .. } => self.call("very", &[*of]),
+            Step::Somewhat { of, .. } => self.call("somewhat", &[*of]),
+            Step::TNorm { norm, left, right, .. } => self.call(outputs::t_norm(*norm), &[*left, *right]),
+            Step::SNorm { norm, left, right, .. } => self.call(outputs::s_norm(*norm), &[*left, *right]),
+            Step::Weigh { of, weight, .. } => {
+                let (of, weight) = (self.operand(*of), emission.number(*weight));
+                quote! { kernel::product(#of, #weight) }
+            }
+            step @ (Step::Minimum { of, .. } | Step::Maximum { of, .. }) => {
+                let of = self.graph.real_list(of).iter().filter_map(|&real| self.graph.real(real));
+                let of = of.map(Formula::Value).collect();
+                let is_minimum = matches!(step, Step::Minimum { .. });
+                let formula = if is_minimum { Formula::Minimum(of) } else { Formula::Maximum(of) };
+                formula.tokens(&|node| self.value(node))
+            }
+            _ => TokenStream::new(),
+        }
+    }
+
+    fn call(&self, function: &str, of: &[Real]) -> TokenStream {
+        let (function, of) = (format_ident!("{function}"), of.iter().map(|&of| self.operand(of)));
+        quote! { kernel::#function(#(#of),*) }
+    }
+
+    /// `left_neg`, `left_not_neg`, `left_neg_or_zero`, `left_any`; `antecedent` for what is said of several inputs.
     fn name(&self, node: Node) -> String {
         /// A name of more letters says less than none.
         const LONG: usize = 40;
+        if self.inputs_of(node).len() > 1 {
+            return "antecedent".to_owned();
+        }
         let input = self.input(node);
         let name = self.inputs.get(input).map(plain).unwrap_or_default();
         let all: BTreeSet<Node> =
@@ -177,8 +205,8 @@ impl<'a> Inference<'a> {
         format!("{name}_{}", if term.len() > LONG { "degree" } else { &term })
     }
 
-    /// The input that a degree is of.
-    fn input(&self, node: Node) -> usize {
+    /// The input that a degree is of, the first of several.
+    pub(super) fn input(&self, node: Node) -> usize {
         let mut node = node;
         while let Some(&operand) = self.graph.operands(node).first() {
             node = operand;
@@ -187,6 +215,15 @@ impl<'a> Inference<'a> {
             Step::Read { input, .. } => input as usize,
             _ => 0,
         }
+    }
+
+    fn inputs_of(&self, node: Node) -> BTreeSet<u32> {
+        let needed = self.graph.needed([node], &BTreeSet::new()).into_iter();
+        let read = needed.filter_map(|node| match self.graph.code.steps[node] {
+            Step::Read { input, .. } => Some(input),
+            _ => None,
+        });
+        read.collect()
     }
 
     /// What a degree is called beside its input.
@@ -205,11 +242,11 @@ impl<'a> Inference<'a> {
         }
     }
 
-    fn operand(&self, real: Real) -> TokenStream {
+    pub(super) fn operand(&self, real: Real) -> TokenStream {
         self.graph.real(real).map(|node| self.value(node)).unwrap_or_default()
     }
 
-    fn value(&self, node: Node) -> TokenStream {
+    pub(super) fn value(&self, node: Node) -> TokenStream {
         let name = self.names.get(&node);
         quote! { #name }
     }

@@ -33,15 +33,17 @@ impl Wiring<'_> {
 
     /// What the machine itself keeps, beside the active mode and the random numbers.
     pub(super) fn fields(&self) -> Vec<Field> {
-        let remembered =
-            self.events.iter().filter(|(node, _)| self.always.contains(node)).map(|(_, (sense, _))| *sense);
+        let said = self.events.iter().chain(&self.outputs);
+        let remembered = said.filter(|(node, _)| self.always.contains(node)).map(|(_, (sense, _))| *sense);
         let remembered: BTreeSet<usize> = remembered.collect();
         let senses = remembered.into_iter().filter_map(|sense| self.senses.get(sense));
-        let memories = senses.filter(|sense| sense.network.remembers()).map(|sense| {
+        let mut senses: Vec<_> = senses.filter(|sense| sense.remembers()).collect();
+        senses.dedup_by_key(|sense| &sense.memory);
+        let memories = senses.into_iter().map(|sense| {
             let network = &sense.network.module;
             Field {
-                doc: format!("What the events of `{}` remember.", plain(&sense.name)),
-                name: sense.name.clone(),
+                doc: format!("What `{}` remembers.", plain(&sense.memory)),
+                name: sense.memory.clone(),
                 kind: quote! { super::#network::Memory },
                 initial: Some(quote! { super::#network::Memory::new() }),
             }

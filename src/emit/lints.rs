@@ -35,6 +35,7 @@ pub const LINTS: [(&str, &[&str]); 6] = [
             "clippy::too_many_arguments",
             "clippy::too_many_lines",
             "clippy::trivially_copy_pass_by_ref",
+            "clippy::type_complexity",
         ],
     ),
     (

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::network::{self, Network};
-use super::wiring::Wiring;
+use super::wiring::{Says, Wiring};
 use super::{Emission, kernel_text, layout, lints, step};
 use crate::plan::{Action, Plan};
 
@@ -56,13 +56,20 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
     let weighed = wiring.senses.iter().filter_map(|sense| {
         let (name, network) = (sense.method.as_ref()?, &sense.network.module);
         let readings = sense.readings.iter().map(|&input| &wiring.sensors[input as usize]);
-        let (parameters, memory) = sense
-            .network
-            .remembers()
-            .then(|| (quote! { , memory: &mut super::#network::Memory, dt_ns: u64 }, quote! { memory, dt_ns }))
-            .unzip();
-        let events = quote! { super::#network::weigh(#(self.#readings()),*).events(#memory) };
-        Some(quote! { #[inline] fn #name(&self #parameters) -> super::#network::Events { #events } })
+        let memory = sense.remembers().then(|| quote! { , memory: &mut super::#network::Memory });
+        let readings = quote! { #(self.#readings()),* };
+        Some(match sense.says {
+            Says::Events => {
+                let (dt, told) = memory.is_some().then(|| (quote! { , dt_ns: u64 }, quote! { memory, dt_ns })).unzip();
+                let events = quote! { super::#network::weigh(#readings).events(#told) };
+                quote! { #[inline] fn #name(&self #memory #dt) -> super::#network::Events { #events } }
+            }
+            Says::Outputs => {
+                let told = memory.is_some().then(|| quote! { , memory });
+                let outputs = quote! { super::#network::infer(#readings #told) };
+                quote! { #[inline] fn #name(&self #memory) -> super::#network::Outputs { #outputs } }
+            }
+        })
     });
     let methods: Vec<_> = safe.chain(weighed).collect();
     let safe = (!methods.is_empty()).then(|| {

@@ -4,6 +4,7 @@
 //! Crates: prettyplease, proc-macro2, quote, syn
 
 mod block;
+mod defuzzify;
 mod expression;
 mod formula;
 mod graph;
@@ -13,10 +14,13 @@ mod kernel_text;
 mod layout;
 mod lints;
 mod machine;
+mod memory;
 mod modes;
 mod names;
 mod network;
+mod outputs;
 mod places;
+mod polynomial;
 mod step;
 mod wiring;
 

@@ -21,6 +21,8 @@ pub(super) struct ModeParts {
     pub(super) drawn: BTreeMap<Real, Ident>,
     /// Those that it needs after it was entered.
     pub(super) drawn_for_later: BTreeSet<Real>,
+    /// The outputs that it needs when it is entered.
+    pub(super) given: BTreeMap<Node, Ident>,
 }
 
 /// The parts of all modes, whose names are apart from some local ones.
@@ -42,7 +44,7 @@ impl Modes<'_> {
         let mut locals = self.locals.clone();
         let needed = wiring.conditions(&mode.transitions);
         let (mut timer, mut kept) = (None, BTreeMap::new());
-        for &node in needed.iter().filter(|node| !wiring.always.contains(node) && !wiring.events.contains_key(node)) {
+        for &node in needed.iter().filter(|node| !wiring.always.contains(node) && wiring.said(**node).is_none()) {
             if let Step::After { duration, .. } = wiring.graph.code.steps[node]
                 && !wiring.keeps_time
             {
@@ -69,7 +71,11 @@ impl Modes<'_> {
                 }
             }
         }
+        let given = [&mode.on_enter, &mode.actions].map(|calls| wiring.given(calls)).into_iter().flatten();
+        let given: BTreeSet<Node> = given.collect();
+        let given = given.into_iter().map(|node| (node, locals.snake(&plain(&wiring.outputs[&node].1))));
         ModeParts {
+            given: given.collect(),
             variant: self.variants.camel(&mode.name),
             enter: self.enters.snake(&format!("enter_{}", mode.name)),
             timer,

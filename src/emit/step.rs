@@ -1,6 +1,5 @@
 //! What a diagram does on a tick.
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 use proc_macro2::TokenStream;
@@ -20,7 +19,13 @@ pub(super) fn methods(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStrea
     let blank = layout::blank();
     let mut always = Block::new(emission, wiring, None);
     always.remember();
-    let entry = &wiring.modes[wiring.plan.entry as usize].enter;
+    let entry = &wiring.modes[wiring.plan.entry as usize];
+    let mut first = always.branch();
+    let entered = first.enter(entry);
+    let first = match first.statements {
+        bound if bound.is_empty() => quote! { #entered, },
+        bound => quote! { { #bound #entered } },
+    };
     let arms = wiring.plan.modes.iter().zip(&wiring.modes).map(|(mode, parts)| {
         let (pattern, body) = (pattern(emission, wiring, parts), arm(&always, mode, parts));
         quote! { Some(#pattern) => { #body } }
@@ -33,7 +38,7 @@ pub(super) fn methods(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStrea
         #always
         #narrow
         match &mut self.state {
-            None => self.#entry(robot),
+            None => #first
             #(#arms)*
         }
     };
@@ -76,7 +81,7 @@ fn pattern(emission: Emission<'_>, wiring: &Wiring<'_>, parts: &ModeParts) -> To
 /// What is done in a mode: its exits by priority, then its commands.
 fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
     let Block { emission, wiring, .. } = *always;
-    let mut block = Block { mode: Some(parts), bound: always.bound.clone(), ..Block::new(emission, wiring, None) };
+    let mut block = Block { mode: Some(parts), ..always.branch() };
     let (plan, places) = (wiring.plan, emission.places);
     if let Some(longest) = parts.timer {
         let dt = format_ident!("{}", if is_narrow(longest) { "dt" } else { "dt_ns" });
@@ -89,19 +94,20 @@ fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
         let names = part(&plan.required, &mode.required).iter().map(|&input| &wiring.sensors[input as usize]);
         names.map(|name| Expression::whole(quote! { inputs.failed.#name })).collect()
     };
-    let leave = |target: u32| {
-        let enter = &wiring.modes[target as usize].enter;
-        let calls = calls(emission, wiring, &mode.on_exit, Time::Leaving);
-        let calls: Vec<_> = calls.into_iter().chain([quote! { self.#enter(robot) }]).collect();
-        let calls = chain(&calls);
-        quote! { return #calls; }
+    let leave = |block: &Block<'_>, target: u32| {
+        let mut block = block.branch();
+        block.bind(wiring.given(&mode.on_exit));
+        let enter = block.enter(&wiring.modes[target as usize]);
+        let calls: Vec<_> = calls(&block, &mode.on_exit, Time::Leaving).into_iter().chain([enter]).collect();
+        let (statements, calls) = (block.statements, chain(&calls));
+        quote! { #statements return #calls; }
     };
     let holds = |target: u32| failed(&plan.modes[target as usize]).iter().map(expression::not).collect::<Vec<_>>();
     if let (Some(otherwise), false) = (mode.otherwise, mode.required.is_empty()) {
         let missing = expression::any(&failed(mode));
         let condition = expression::all(&[vec![missing], holds(otherwise)].concat()).tokens();
         let remark = layout::comment(&format!("without what it requires: {}", plan.modes[otherwise as usize].name));
-        let leave = leave(otherwise);
+        let leave = leave(&block, otherwise);
         block.statements.extend(quote! { #remark if #condition { #leave } });
     }
     for Transition { condition, target, span, .. } in part(&plan.transitions, &mode.transitions) {
@@ -110,11 +116,28 @@ fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
         block.statements.extend(remark);
         block.bind([condition]);
         let condition = expression::all(&[vec![block.value(condition)], holds(*target)].concat()).tokens();
-        let leave = leave(*target);
+        let leave = leave(&block, *target);
         block.statements.extend(quote! { if #condition { #leave } });
     }
-    let (statements, act) = (block.statements, act(parts, &calls(emission, wiring, &mode.actions, Time::Staying)));
+    block.bind(wiring.given(&mode.actions));
+    let act = act(parts, &calls(&block, &mode.actions, Time::Staying));
+    let statements = block.statements;
     quote! { #statements #act }
+}
+
+impl Block<'_> {
+    /// Statements for a branch, which knows what has been computed before it.
+    fn branch(&self) -> Self {
+        let Self { emission, wiring, mode, .. } = *self;
+        Self { mode, bound: self.bound.clone(), ..Block::new(emission, wiring, None) }
+    }
+
+    /// The call that enters a mode, with the outputs that it needs.
+    fn enter(&mut self, parts: &ModeParts) -> TokenStream {
+        self.bind(parts.given.keys().copied());
+        let (enter, given) = (&parts.enter, parts.given.keys().map(|&node| self.value(node).tokens()));
+        quote! { self.#enter(#(#given,)* robot) }
+    }
 }
 
 /// When commands are given.
@@ -126,11 +149,11 @@ enum Time {
 }
 
 /// The calls of commands.
-fn calls(emission: Emission<'_>, wiring: &Wiring<'_>, calls: &Range<u32>, time: Time) -> Vec<TokenStream> {
-    let plan = wiring.plan;
+fn calls(block: &Block<'_>, calls: &Range<u32>, time: Time) -> Vec<TokenStream> {
+    let (wiring, plan) = (block.wiring, block.wiring.plan);
     let calls = part(&plan.calls, calls).iter().map(|call| {
         let arguments = part(&plan.arguments, &call.arguments).iter();
-        let arguments = arguments.map(|&real| argument(emission, wiring, real, time));
+        let arguments = arguments.map(|&real| argument(block, real, time));
         let start = plan.actions[call.action as usize].reports_done.then(|| {
             let starts = time != Time::Staying;
             quote! { #starts }
@@ -141,10 +164,15 @@ fn calls(emission: Emission<'_>, wiring: &Wiring<'_>, calls: &Range<u32>, time: 
     calls.collect()
 }
 
-/// A constant, or a number that was drawn.
-fn argument(emission: Emission<'_>, wiring: &Wiring<'_>, real: Real, time: Time) -> TokenStream {
-    if let Some(Step::Constant { value, .. }) = wiring.graph.real(real).map(|node| &wiring.graph.code.steps[node]) {
-        return emission.number(*value);
+/// A constant, an output, or a number that was drawn.
+fn argument(block: &Block<'_>, real: Real, time: Time) -> TokenStream {
+    let wiring = block.wiring;
+    if let Some(node) = wiring.graph.real(real) {
+        return match (&wiring.graph.code.steps[node], block.mode.and_then(|mode| mode.given.get(&node))) {
+            (Step::Constant { value, .. }, _) => block.emission.number(*value),
+            (_, Some(name)) if time == Time::Entering => quote! { #name },
+            _ => block.value(node).tokens(),
+        };
     }
     let name = wiring.modes.iter().find_map(|mode| mode.drawn.get(&real));
     if time == Time::Entering {
@@ -177,25 +205,24 @@ fn act(parts: &ModeParts, calls: &[TokenStream]) -> TokenStream {
 /// The methods that enter modes.
 fn enters(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
     let plan = wiring.plan;
-    let targets = plan.transitions.iter().map(|way| way.target);
-    let targets = targets.chain(plan.modes.iter().filter_map(|mode| mode.otherwise)).chain([plan.entry]);
-    let targets: BTreeSet<u32> = targets.collect();
     let blank = layout::blank();
-    let methods = targets.into_iter().map(|target| {
+    let methods = wiring.entered().into_iter().map(|target| {
         let (mode, parts) = (&plan.modes[target as usize], &wiring.modes[target as usize]);
         let draws = part(&plan.draws, &mode.draws).iter().filter_map(|draw| {
             let name = parts.drawn.get(&draw.to)?;
             let [low, high] = [draw.low, draw.high].map(|value| emission.number(value));
             Some(quote! { let #name = kernel::draw(&mut self.random, #low, #high); })
         });
-        let commands = [&mode.on_enter, &mode.actions].map(|span| calls(emission, wiring, span, Time::Entering));
+        let block = Block::new(emission, wiring, Some(parts));
+        let commands = [&mode.on_enter, &mode.actions].map(|span| calls(&block, span, Time::Entering));
         let commands = commands.concat();
         let robot = format_ident!("{}", if commands.is_empty() { "_robot" } else { "robot" });
         let (enter, state, act) = (&parts.enter, first_state(emission, wiring, parts), act(parts, &commands));
-        let restarts = wiring.restarts();
+        let (restarts, float) = (wiring.restarts(), emission.float());
+        let given = parts.given.values();
         quote! {
             #blank
-            fn #enter<R: Robot>(&mut self, #robot: &mut R) -> Result<Mode, R::Error> {
+            fn #enter<R: Robot>(&mut self, #(#given: #float,)* #robot: &mut R) -> Result<Mode, R::Error> {
                 #(#draws)*
                 #restarts
                 self.state = Some(#state);

@@ -29,6 +29,8 @@ pub(super) struct Wiring<'a> {
     pub(super) senses: Vec<Sensed<'a>>,
     /// The event that a step is the flag of: its sense, and its name there.
     pub(super) events: BTreeMap<Node, (usize, Ident)>,
+    /// The output that a step is the value of: its sense, and its name there.
+    pub(super) outputs: BTreeMap<Node, (usize, Ident)>,
     /// The local names of the steps that have one: named flags, and what is looked back at.
     pub(super) names: HashMap<Node, Ident>,
     /// The text of what is looked back at.
@@ -50,14 +52,34 @@ pub(super) struct ActionNames {
     pub(super) parameters: Vec<Ident>,
 }
 
-/// A network that is sensed through.
+/// A network that is sensed through, for its events or for its outputs.
 pub(super) struct Sensed<'a> {
     pub(super) name: Ident,
     pub(super) network: &'a Network<'a>,
+    pub(super) says: Says,
+    /// The field of what the network remembers.
+    pub(super) memory: Ident,
     /// The sensors that feed it.
     pub(super) readings: Vec<u32>,
-    /// The method of the readings that weighs them; `None` where no event of it matters.
+    /// The method of the readings that tells it; `None` where nothing of it matters.
     pub(super) method: Option<Ident>,
+}
+
+/// What a network is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Says {
+    Events,
+    Outputs,
+}
+
+impl Sensed<'_> {
+    /// Whether what it says depends on more than the readings of one tick.
+    pub(super) fn remembers(&self) -> bool {
+        match self.says {
+            Says::Events => self.network.events_remember(),
+            Says::Outputs => self.network.holds(),
+        }
+    }
 }
 
 /// The names that every tick uses; what the user calls so has another name there.
@@ -72,6 +94,7 @@ impl<'a> Wiring<'a> {
             sensors: plan.inputs.iter().map(|input| fields.snake(&input.name)).collect(),
             senses: Vec::new(),
             events: BTreeMap::new(),
+            outputs: BTreeMap::new(),
             names: HashMap::new(),
             texts: HashMap::new(),
             read: BTreeSet::new(),
@@ -90,23 +113,40 @@ impl<'a> Wiring<'a> {
         for sense in &plan.senses {
             let Some(network) = networks.get(&sense.network) else { continue };
             let readings: Vec<_> = sense.readings.iter().filter_map(|&real| graph.real(real)).collect();
-            let events = part(&plan.events, &sense.events);
-            for (event, name) in events.iter().zip(&network.events) {
-                if let Some(node) = graph.bool(event.flag) {
-                    graph.compute_from(node, readings.clone());
-                    wiring.events.insert(node, (wiring.senses.len(), name.clone()));
-                }
-            }
-            let readings = readings.iter().filter_map(|&node| match plan.code.steps[node] {
+            let sensors = readings.iter().filter_map(|&node| match plan.code.steps[node] {
                 Step::Read { input, .. } => Some(input),
                 _ => None,
             });
-            let (name, readings) = (locals.snake(&sense.name), readings.collect());
-            wiring.senses.push(Sensed { name, network, readings, method: None });
+            let sensors: Vec<_> = sensors.collect();
+            let memory = locals.snake(&sense.name);
+            let mut name = Some(memory.clone());
+            if network.has_events() {
+                for (event, name) in part(&plan.events, &sense.events).iter().zip(&network.events) {
+                    if let Some(node) = graph.bool(event.flag) {
+                        graph.compute_from(node, readings.clone());
+                        wiring.events.insert(node, (wiring.senses.len(), name.clone()));
+                    }
+                }
+                let (name, memory, readings) = (name.take().unwrap_or(memory.clone()), memory.clone(), sensors.clone());
+                let says = Says::Events;
+                wiring.senses.push(Sensed { name, network, says, memory, readings, method: None });
+            }
+            if network.has_outputs() {
+                for (output, name) in part(&plan.outputs, &sense.outputs).iter().zip(&network.outputs) {
+                    if let Some(node) = graph.real(output.value) {
+                        graph.compute_from(node, readings.clone());
+                        wiring.outputs.insert(node, (wiring.senses.len(), name.clone()));
+                    }
+                }
+                let name = name.unwrap_or_else(|| locals.snake(&format!("{}_outputs", sense.name)));
+                let says = Says::Outputs;
+                wiring.senses.push(Sensed { name, network, says, memory, readings: sensors, method: None });
+            }
         }
         wiring.graph = graph;
         let live = wiring.live();
-        for (_, (sense, _)) in wiring.events.iter().filter(|(node, _)| live.contains(node)) {
+        let said = wiring.events.iter().chain(&wiring.outputs);
+        for (_, (sense, _)) in said.filter(|(node, _)| live.contains(node)) {
             let sense = &mut wiring.senses[*sense];
             if sense.method.is_none() {
                 sense.method = Some(fields.snake(&plain(&sense.name)));
@@ -127,7 +167,35 @@ impl<'a> Wiring<'a> {
     }
 
     fn live(&self) -> BTreeSet<Node> {
-        self.conditions(&(0..self.plan.transitions.len() as u32))
+        let conditions = self.conditions(&(0..self.plan.transitions.len() as u32));
+        let entered = self.entered();
+        let commands = self.plan.modes.iter().zip(0..).flat_map(|(mode, position)| {
+            let is_left = !mode.transitions.is_empty() || mode.otherwise.is_some();
+            let entering = entered.contains(&position).then_some(&mode.on_enter);
+            [Some(&mode.actions), entering, is_left.then_some(&mode.on_exit)].into_iter().flatten()
+        });
+        let given: BTreeSet<Node> = commands.flat_map(|calls| self.given(calls)).collect();
+        conditions.union(&self.graph.needed(given, &BTreeSet::new())).copied().collect()
+    }
+
+    /// The modes that something leads to.
+    pub(super) fn entered(&self) -> BTreeSet<u32> {
+        let targets = self.plan.transitions.iter().map(|way| way.target);
+        targets.chain(self.plan.modes.iter().filter_map(|mode| mode.otherwise)).chain([self.plan.entry]).collect()
+    }
+
+    /// The outputs that some commands are given.
+    pub(super) fn given(&self, calls: &std::ops::Range<u32>) -> BTreeSet<Node> {
+        let arguments =
+            part(&self.plan.calls, calls).iter().flat_map(|call| part(&self.plan.arguments, &call.arguments));
+        let nodes = arguments.filter_map(|&real| self.graph.real(real));
+        nodes.filter(|node| self.outputs.contains_key(node)).collect()
+    }
+
+    /// What a step is said by, if by a network: its sense, and its name there.
+    pub(super) fn said(&self, node: Node) -> Option<(&Sensed<'a>, &Ident)> {
+        let (sense, name) = self.events.get(&node).or_else(|| self.outputs.get(&node))?;
+        Some((self.senses.get(*sense)?, name))
     }
 
     /// Notes what the live steps ask of the inputs, and names those that are computed once.
@@ -164,8 +232,8 @@ impl<'a> Wiring<'a> {
 
     /// What must be computed on every tick, whichever mode is active, to be right on a later one.
     fn remembering(&self, live: &BTreeSet<Node>) -> Vec<Node> {
-        let remembers = |&node: &Node| match self.events.get(&node) {
-            Some((sense, _)) => self.senses[*sense].network.remembers().then_some(node),
+        let remembers = |&node: &Node| match self.said(node) {
+            Some((sense, _)) => sense.remembers().then_some(node),
             None => match self.graph.code.steps[node] {
                 Step::Rising { .. } | Step::Falling { .. } | Step::Lasts { .. } | Step::InMode { .. } => Some(node),
                 Step::Count { of, .. } => self.graph.bool(of),
@@ -177,7 +245,10 @@ impl<'a> Wiring<'a> {
 
     /// Names what is kept from one tick to the next, beside what a mode keeps.
     fn keep(&mut self, live: &BTreeSet<Node>, locals: &mut Scope) {
-        for &node in live.iter().filter(|node| !self.events.contains_key(node)) {
+        for &node in live {
+            if self.said(node).is_some() {
+                continue;
+            }
             let name = self.operand_name(node);
             let always = self.always.contains(&node);
             match self.graph.code.steps[node] {

@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use super::builder::{Builder, EventSlots, Names, reachable};
-use super::output::OutputSlots;
 use super::{
     Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Origin, Output, Plan, Real, Sense,
     Transition, input, origin,
@@ -66,19 +65,19 @@ pub fn build_on(
             events.push(Event { name, origin: origin(&event.symbol), contributor, detractor, flag });
             strengths.push(of_rules);
         }
-        let slots = builder.outputs(sense.network, &readings);
-        output_values.push(slots.iter().map(|slots| slots.value).collect());
-        let declared = &program.networks[sense.network].outputs;
-        for (output, OutputSlots { value, fired, strengths }) in declared.iter().zip(slots) {
-            let name = format!("{}.{}", sense.symbol.name, output.symbol.name);
-            let origin = origin(&output.symbol);
-            outputs.push(Output { name, origin, unit: output.unit.clone(), value, fired, strengths });
-        }
+        let computed = builder.outputs(sense.network, &readings);
+        output_values.push(computed.iter().map(|output| output.value).collect());
+        let first_output = outputs.len() as u32;
+        outputs.extend(computed.into_iter().map(|output| {
+            let name = format!("{}.{}", sense.symbol.name, output.name);
+            Output { name, ..output }
+        }));
         senses.push(Sense {
             name: sense.symbol.name.clone(),
             network: sense.network.index() as u32,
             readings,
             events: first..events.len() as u32,
+            outputs: first_output..outputs.len() as u32,
         });
     }
     let mut flags: Vec<Bool> = Vec::new();

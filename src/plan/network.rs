@@ -1,7 +1,7 @@
 //! The plan of a network on its own.
 
 use super::builder::Builder;
-use super::{Checked, Event, NetworkPlan, Output, input, origin};
+use super::{Checked, Event, NetworkPlan, input, origin};
 use crate::base::Id;
 use crate::ir;
 
@@ -30,16 +30,7 @@ pub fn build_network(checked: Checked<'_>, network: Id<ir::Network>) -> NetworkP
         events.push(Event { name, origin, contributor, detractor, flag });
         strengths.push(slots.strengths);
     }
-    let slots = builder.outputs(network, &readings);
-    let outputs = declared.outputs.iter().zip(slots).map(|(output, slots)| Output {
-        name: output.symbol.name.clone(),
-        origin: origin(&output.symbol),
-        unit: output.unit.clone(),
-        value: slots.value,
-        fired: slots.fired,
-        strengths: slots.strengths,
-    });
-    let outputs = outputs.collect();
+    let outputs = builder.outputs(network, &readings);
     let inputs = declared.inputs.iter().map(|declared| {
         let variable = &program.variables[declared.variable];
         input(&declared.symbol, &variable.unit, variable.range, &[&variable.fails])

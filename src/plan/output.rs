@@ -4,16 +4,17 @@ use std::ops::Range;
 
 use super::builder::{Builder, Key, list};
 use super::slabs::{Domain, clipped, scaled};
-use super::{Bool, Find, Real, Step, Stretch};
+use super::{Bool, Find, Output, Real, Step, Stretch, origin};
 use crate::base::{Exact, Id};
 use crate::ir::{self, Aggregation, Consequent, Defuzzifier, Implication, Inference, SNorm, Statement, TNorm};
 use crate::membership::{Curve, Membership, function, in_units, middle_of_largest, overlaps};
 
-/// An output of the plan being built: its value, whether a rule fired, and its rules' strengths.
-pub(super) struct OutputSlots {
-    pub(super) value: Real,
-    pub(super) fired: Bool,
-    pub(super) strengths: Vec<Real>,
+/// An output of the plan being built: its value, whether a rule fired, and the strengths of its rules and of its sets.
+struct OutputSlots {
+    value: Real,
+    fired: Bool,
+    strengths: Vec<Real>,
+    sets: Vec<(String, Real)>,
 }
 
 /// Sets of an output, each with a strength.
@@ -26,9 +27,15 @@ struct Activated<'a> {
 
 impl Builder<'_> {
     /// The outputs of a network whose inputs have been read.
-    pub(super) fn outputs(&mut self, network: Id<ir::Network>, readings: &[Real]) -> Vec<OutputSlots> {
+    pub(super) fn outputs(&mut self, network: Id<ir::Network>, readings: &[Real]) -> Vec<Output> {
         let network = &self.program.networks[network];
-        network.outputs.iter().map(|output| self.output(output, network, readings)).collect()
+        let outputs = network.outputs.iter().map(|output| {
+            let OutputSlots { value, fired, strengths, sets } = self.output(output, network, readings);
+            let (name, origin) = (output.symbol.name.clone(), origin(&output.symbol));
+            let rules = output.rules.iter().map(|rule| rule.span).collect();
+            Output { name, origin, unit: output.unit.clone(), value, fired, strengths, sets, rules }
+        });
+        outputs.collect()
     }
 
     fn output(&mut self, output: &ir::Output, network: &ir::Network, readings: &[Real]) -> OutputSlots {
@@ -36,9 +43,12 @@ impl Builder<'_> {
             output.rules.iter().map(|rule| self.rule_strength(rule, network, readings)).collect();
         let strongest = self.maximum(&strengths);
         let fired = self.bool(Key::Fires(strongest), |_, to| Step::Fires { of: strongest, to });
+        let mut sets = Vec::new();
         let value = match output.range {
             Some(range) if !output.terms.is_empty() => {
                 let activated = self.activated(output, range, network.inference, &strengths);
+                let names = activated.sets.iter().map(|set| set.symbol.name.clone());
+                sets = names.zip(activated.strengths.iter().copied()).collect();
                 self.defuzzified(&activated)
             }
             _ => {
@@ -66,7 +76,7 @@ impl Builder<'_> {
             }
             None => self.step(|to| Step::Otherwise { fired, of: value, otherwise: nearest, to }),
         };
-        OutputSlots { value, fired, strengths }
+        OutputSlots { value, fired, strengths, sets }
     }
 
     /// A step whose value nothing else shares.

@@ -517,6 +517,10 @@ pub struct Output {
     pub fired: Bool,
     /// The strength of every rule that sets it.
     pub strengths: Vec<Real>,
+    /// Its sets that rules name, each with the strength at which it holds; none where it has expressions.
+    pub sets: Vec<(String, Real)>,
+    /// The rules that set it.
+    pub rules: Vec<Span>,
 }
 
 /// A named flag and where it is.
@@ -592,6 +596,8 @@ pub struct Sense {
     pub readings: Vec<Real>,
     /// Its events in [`Plan::events`].
     pub events: Range<u32>,
+    /// Its outputs in [`Plan::outputs`].
+    pub outputs: Range<u32>,
 }
 
 /// An action of the robot.

@@ -31,6 +31,7 @@
     clippy::too_many_arguments,
     clippy::too_many_lines,
     clippy::trivially_copy_pass_by_ref,
+    clippy::type_complexity,
     reason = "sizes are the user's"
 )]
 pub mod obstacle_id {
@@ -178,13 +179,6 @@ pub mod obstacle_id {
         }
     }
 
-    /// The events that readings set.
-    #[must_use]
-    #[inline]
-    pub fn evaluate(inputs: &Inputs) -> Events {
-        strengths(inputs).events()
-    }
-
     impl Strengths {
         /// The events that these strengths set.
         #[must_use]
@@ -203,6 +197,13 @@ pub mod obstacle_id {
                 heavy_obstacle,
             }
         }
+    }
+
+    /// The events that readings set.
+    #[must_use]
+    #[inline]
+    pub fn evaluate(inputs: &Inputs) -> Events {
+        strengths(inputs).events()
     }
 }
 

@@ -144,16 +144,26 @@ fn drive_network(path: &str, code: &str, plan: &NetworkPlan) -> String {
             "write!(line, \" {{}} {{}} {{}}\", events.{name}, bits(strengths.{name}.contributor), bits(strengths.{name}.detractor)).unwrap();\n"
         )
     });
-    let lines = lines.collect::<Vec<_>>().concat();
+    let outputs = plan.outputs.iter().map(|output| {
+        let name = &output.name;
+        format!("write!(line, \" {{}} {{}}\", outputs.{name}.fired, bits(outputs.{name}.value)).unwrap();\n")
+    });
+    let lines = lines.chain(outputs).collect::<Vec<_>>().concat();
+    let strengths = if plan.events.is_empty() { "()".to_owned() } else { format!("{path}::strengths(&inputs)") };
+    let said = match (plan.events.is_empty(), plan.outputs.is_empty()) {
+        (false, true) => "events",
+        (true, _) => "outputs",
+        (false, false) => "(events, outputs)",
+    };
     format!(
         "{memory}
         for _ in 0..words.next() {{
             let dt = words.next();
             let _ = dt;
             let inputs = {path}::Inputs {{ {inputs} }};
-            let strengths = {path}::strengths(&inputs);
-            let events = {path}::evaluate(&inputs{extra});
-            let _ = (&strengths, &events);
+            let strengths = {strengths};
+            let {said} = {path}::evaluate(&inputs{extra});
+            let _ = (&strengths, &{said});
             let mut line = String::new();
             {lines}
             println!(\"{{line}}\");
@@ -367,7 +377,8 @@ impl Trials {
 pub struct Tick {
     /// The events of a network and their strengths; or the mode of a machine and its commands.
     pub line: String,
-    /// Whether an event lies so near to a tie, or to its hysteresis, that rounding decides.
+    /// Whether an event lies so near to a tie, or to its hysteresis, or an output's rules so near to 0, that rounding
+    /// decides.
     pub is_close: bool,
     /// How long a machine has been in its mode.
     pub dwell: Option<u64>,
@@ -418,8 +429,14 @@ pub fn expect_of_network(
             let [contributor, detractor] = strengths(event).map(bits);
             format!(" {} {contributor} {detractor}", evaluator.bool(event.flag))
         });
+        let outputs = plan
+            .outputs
+            .iter()
+            .map(|output| format!(" {} {}", evaluator.bool(output.fired), bits(evaluator.real(output.value))));
         let is_close = plan.events.iter().any(|event| is_close(&plan.code, strengths(event)));
-        Tick { line: events.collect(), is_close, dwell: None }
+        let is_weak = |output: &plan::Output| output.strengths.iter().all(|&strength| evaluator.real(strength) < 0.05);
+        let is_close = is_close || plan.outputs.iter().any(is_weak);
+        Tick { line: events.chain(outputs).collect(), is_close, dwell: None }
     });
     ticks.collect()
 }

@@ -103,13 +103,17 @@ struct Program {
     terms: Vec<u64>,
     /// The variables of each network's inputs, and how many events it has.
     networks: Vec<(Vec<usize>, u64)>,
+    /// The outputs that a behavior can name.
+    outputs: Vec<String>,
 }
 
-/// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`.
+/// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`. Programs of odd
+/// numbers have outputs.
 pub fn program(seed: u64) -> (String, String) {
     let (smooth, draws) = (seed.is_multiple_of(3), !seed.is_multiple_of(4));
-    let mut program = Program { random: Random(seed), smooth, draws, terms: Vec::new(), networks: Vec::new() };
-    let fusion = program.fusion();
+    let mut program =
+        Program { random: Random(seed), smooth, draws, terms: Vec::new(), networks: Vec::new(), outputs: Vec::new() };
+    let fusion = program.fusion(seed % 2 == 1);
     let modes = program.behavior();
     (fusion, modes)
 }
@@ -117,7 +121,7 @@ pub fn program(seed: u64) -> (String, String) {
 const SENSORS: usize = 4;
 
 impl Program {
-    fn fusion(&mut self) -> String {
+    fn fusion(&mut self, has_outputs: bool) -> String {
         let mut text = String::new();
         for variable in 0..=self.random.below(3) {
             let terms = 2 + self.random.below(3);
@@ -134,10 +138,16 @@ impl Program {
             let inputs: Vec<usize> = (0..count).map(|_| self.random.below(self.terms.len() as u64) as usize).collect();
             let declared = inputs.iter().enumerate().map(|(input, variable)| format!("i{input}: v{variable}"));
             let declared = declared.collect::<Vec<_>>().join(", ");
-            writeln!(text, "/// Network number {network}.\nnetwork n{network}({declared}) {{").unwrap();
-            let events = 1 + self.random.below(3);
+            let inference = if has_outputs { self.inference() } else { String::new() };
+            writeln!(text, "/// Network number {network}.\nnetwork n{network}({declared}){inference} {{").unwrap();
+            let events = if has_outputs && self.random.chance(3) { 0 } else { 1 + self.random.below(3) };
             for event in 0..events {
                 text += &self.event(network, event, &inputs);
+            }
+            if has_outputs {
+                for output in 0..=self.random.below(3) {
+                    text += &self.output(network, output, &inputs);
+                }
             }
             text += "}\n";
             self.networks.push((inputs, events));
@@ -164,6 +174,76 @@ impl Program {
             }
         }
         text + "    }\n"
+    }
+
+    fn inference(&mut self) -> String {
+        let norms = ["product", "bounded_difference", "drastic_product", "einstein_product", "hamacher_product"];
+        let and =
+            self.random.one_of(&[["min"; 5], norms, ["min", "nilpotent_minimum", "min", "product", "min"]].concat());
+        let sums = ["probabilistic_sum", "bounded_sum", "drastic_sum", "einstein_sum", "hamacher_sum"];
+        let or =
+            self.random.one_of(&[["max"; 5], sums, ["max", "nilpotent_maximum", "max", "drastic_sum", "max"]].concat());
+        let (implication, aggregation) = (self.random.one_of(&["min", "product"]), self.random.one_of(&["max", "sum"]));
+        let defuzzify = self.random.one_of(&[
+            "centroid",
+            "centroid",
+            "centroid",
+            "centroid midpoints 7",
+            "bisector",
+            "smallest_of_maximum",
+            "largest_of_maximum",
+            "mean_of_maximum",
+            "weighted_average",
+        ]);
+        format!(
+            " using {{ and {and}, or {or}, implication {implication}, aggregation {aggregation}, defuzzify {defuzzify} }}"
+        )
+    }
+
+    fn output(&mut self, network: u64, output: u64, inputs: &[usize]) -> String {
+        let name = format!("n{network}_o{output}");
+        self.outputs.extend([format!("n{network}.{name}"), format!("again_n{network}.{name}")]);
+        let rest = self.random.one_of(&["default 3", "default hold", "default hold", ""]);
+        let range = self.random.one_of(&["-2 .. 8", "0 .. 10", "1 .. 9"]);
+        let is_linear = self.random.chance(5);
+        let sets = 2 + self.random.below(3);
+        let mut text = if is_linear {
+            let range = self.random.one_of(&["", " in 0 .. 5"]);
+            format!("    output {name}: 1{range} {rest} = takagi_sugeno\n")
+        } else {
+            let sets = (0..sets).map(|set| format!("s{set} = {}\n", self.random.shape(0, false)));
+            format!("    output {name}: 1 in {range} {rest} {{\n{}    }}\n", sets.collect::<Vec<_>>().concat())
+        };
+        for rule in 0..=sets + self.random.below(4) {
+            let mut test = || {
+                let input = self.random.below(inputs.len() as u64) as usize;
+                let terms = self.terms[inputs[input]];
+                let term = self.random.below(terms);
+                let terms =
+                    self.random.one_of(&[format!("t{term}"), format!("not t{term}"), "any of {t0, t1}".to_owned()]);
+                match terms.strip_prefix("not ") {
+                    Some(term) => format!("not i{input} is {term}"),
+                    None => format!("i{input} is {terms}"),
+                }
+            };
+            let (one, two, three) = (test(), test(), test());
+            let condition = self.random.one_of(&[
+                one.clone(),
+                format!("{one} and {two}"),
+                format!("{one} and ({two} or {three})"),
+                format!("not ({one} and {two}) or {three}"),
+            ]);
+            let input = self.random.below(inputs.len() as u64);
+            let value = if is_linear {
+                let linear = [&format!("= i{input} * 0.5 - i0 + 2"), "= 4", &format!("= -i{input} / 3")];
+                self.random.one_of(&linear.map(str::to_owned))
+            } else {
+                format!("is s{}", rule % sets)
+            };
+            let weight = self.random.one_of(&["", "", " weight 0.8"]);
+            writeln!(text, "    rule {condition} => {name} {value}{weight}").unwrap();
+        }
+        text
     }
 
     fn row(&mut self, inputs: &[usize]) -> String {
@@ -193,7 +273,11 @@ impl Program {
 
     fn atom(&mut self) -> String {
         let network = self.random.below(self.networks.len() as u64);
-        let event = self.random.below(self.networks[network as usize].1);
+        let events = self.networks[network as usize].1;
+        if events == 0 {
+            return format!("s0 < {}", 1 + self.random.below(9));
+        }
+        let event = self.random.below(events);
         let sense = self.random.one_of(&["n", "n", "again_n"]);
         let event = format!("{sense}{network}.n{network}_e{event}");
         let (sensor, other) = (self.random.below(SENSORS as u64), self.random.below(SENSORS as u64));
@@ -247,6 +331,9 @@ impl Program {
             "turn(random(-120 deg, 120 deg))",
             "arc(-0.1 m/s, radius: random(1 m, 3 m))",
         ];
+        if !self.outputs.is_empty() && self.random.chance(2) {
+            return format!("ring({})", self.random.one_of(&self.outputs));
+        }
         self.random.one_of(if self.draws { &calls } else { &calls[..3] }).to_owned()
     }
 

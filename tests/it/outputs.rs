@@ -1,8 +1,6 @@
 //! Continuous outputs are what an independent integral of high resolution says, for every choice of inference.
 
 use lmslc::base::Id;
-use lmslc::driver::NotCompiled;
-use lmslc::emit::Options;
 use lmslc::interp::{Actuators, Evaluator, Inputs, Machine, Reading};
 use lmslc::plan::{self, NetworkPlan};
 use lmslc::report::{self as reports, Evaluated};
@@ -500,12 +498,6 @@ fn an_evaluation_shows_outputs() {
     assert!(shown.contains("\n  y  0 m\n    strongest    █████···············  0.250  rule 1 0.250\n"), "{shown}");
     let table = reports::eval_csv(&plan, "i0,i1,i2\n0,0,0\n0,0.5,0\n", 0).unwrap();
     assert_eq!(table, "i0,i1,i2,y,y.fired\n0.0,0.0,0.0,7.0,false\n0.0,0.5,0.0,10.0,true\n");
-}
-
-#[test]
-fn code_for_robots_does_not_leave_outputs_out() {
-    let analysis = analyze_texts(&[("n.fsfn", &symmetric([0.0; 3]).text("centroid"))]);
-    assert_eq!(analysis.rust(&Options::default()), Err(NotCompiled::Output("n".to_owned())));
 }
 
 #[test]
