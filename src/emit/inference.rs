@@ -16,7 +16,7 @@ use crate::plan::{Real, Step};
 pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenStream {
     let Network { plan, events, .. } = network;
     let blank = layout::blank();
-    let safe = safe(emission, network);
+    let safe = safe(emission, network, &field(network));
     let mut inference = Inference::new(network);
     let graph = &inference.graph;
     let sides: Vec<[Formula; 2]> = plan
@@ -73,11 +73,23 @@ pub(super) fn strengths(emission: Emission<'_>, network: &Network<'_>) -> TokenS
     }
 }
 
-/// The readings made safe, as arguments.
-pub(super) fn safe(emission: Emission<'_>, network: &Network<'_>) -> TokenStream {
-    let inputs = network.plan.inputs.iter().zip(&network.inputs);
-    let safe = inputs.map(|(input, name)| emission.sanitized(&quote! { inputs.#name }, &quote! { true }, input));
+/// The readings made safe, as arguments; `reading` is that of an input.
+pub(super) fn safe(
+    emission: Emission<'_>,
+    network: &Network<'_>,
+    reading: &impl Fn(usize) -> TokenStream,
+) -> TokenStream {
+    let inputs = network.plan.inputs.iter().enumerate();
+    let safe = inputs.map(|(index, input)| emission.sanitized(&reading(index), &quote! { true }, input));
     quote! { #(#safe),* }
+}
+
+/// The field of an input.
+pub(super) fn field(network: &Network<'_>) -> impl Fn(usize) -> TokenStream {
+    |index| {
+        let name = &network.inputs[index];
+        quote! { inputs.#name }
+    }
 }
 
 /// The rules of one side as the steps that their minima are taken over, factored.

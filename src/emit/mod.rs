@@ -4,6 +4,7 @@
 //! Crates: prettyplease, proc-macro2, quote, syn
 
 mod block;
+mod columns;
 mod defuzzify;
 mod expression;
 mod formula;

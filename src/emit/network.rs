@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::graph::Graph;
 use super::memory::{self, EventMemory, Fields, fields};
 use super::names::{Scope, plain};
-use super::{Emission, inference, kernel_text, layout, lints, outputs};
+use super::{Emission, columns, inference, kernel_text, layout, lints, outputs};
 use crate::plan::{Input, NetworkPlan, Step};
 
 /// A network and the names of its parts.
@@ -89,7 +89,8 @@ pub(super) fn module(emission: Emission<'_>, network: &Network<'_>) -> TokenStre
         quote! { #types #infer }
     });
     let (memory, evaluate) = (memory::declared(emission, network), evaluate(emission, network));
-    let kernel = kernel_text::import(&quote! { #events #outputs #memory #evaluate });
+    let columns = columns::evaluate(emission, network);
+    let kernel = kernel_text::import(&quote! { #events #outputs #memory #evaluate #columns });
     quote! {
         #blank
         #doc
@@ -101,6 +102,7 @@ pub(super) fn module(emission: Emission<'_>, network: &Network<'_>) -> TokenStre
             #outputs
             #memory
             #evaluate
+            #columns
         }
     }
 }
@@ -210,7 +212,7 @@ fn events(emission: Emission<'_>, network: &Network<'_>) -> TokenStream {
 
 /// The function from readings to what the network says.
 fn evaluate(emission: Emission<'_>, network: &Network<'_>) -> TokenStream {
-    let (blank, safe) = (layout::blank(), inference::safe(emission, network));
+    let (blank, safe) = (layout::blank(), inference::safe(emission, network, &inference::field(network)));
     let told = network.events_remember().then(|| quote! { memory, dt_ns });
     let holding = network.holds().then(|| quote! { , memory });
     let events = quote! { strengths(inputs).events(#told) };

@@ -70,7 +70,7 @@ pub(super) fn infer(emission: Emission<'_>, network: &Network<'_>) -> TokenStrea
         #(#blank #constants)*
         #blank
         /// The outputs of safe readings.
-        #[inline]
+        #[inline(always)]
         pub(super) fn infer(#parameters #(, #memory: &mut Memory)*) -> Outputs {
             #degrees
             #(#statements)*

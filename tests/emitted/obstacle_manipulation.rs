@@ -205,6 +205,32 @@ pub mod obstacle_id {
     pub fn evaluate(inputs: &Inputs) -> Events {
         strengths(inputs).events()
     }
+
+    /// The same for columns of readings, as many rows as the shortest column has.
+    pub fn evaluate_columns(
+        left: &[f64],
+        right: &[f64],
+        force: &[f64],
+        forward_collision: &mut [bool],
+        heavy_obstacle: &mut [bool],
+    ) {
+        for ((((left, right), force), forward_collision), heavy_obstacle) in left
+            .iter()
+            .zip(right)
+            .zip(force)
+            .zip(forward_collision)
+            .zip(heavy_obstacle)
+        {
+            let events = weigh(
+                    kernel::sanitize(*left, true, -4.0, 4.0, 0.0),
+                    kernel::sanitize(*right, true, -4.0, 4.0, 0.0),
+                    kernel::sanitize(*force, true, 0.0, 400.0, 0.0),
+                )
+                .events();
+            *forward_collision = events.forward_collision;
+            *heavy_obstacle = events.heavy_obstacle;
+        }
+    }
 }
 
 /// Pushes what is light, goes around what is heavy (fig. 7).

@@ -320,6 +320,7 @@ fn emitted_files_are_what_is_emitted() {
     for (source, kept) in [
         ("stdlib/networks/obstacle_id.fsfn", "tests/emitted/obstacle_id.rs"),
         ("stdlib/behaviors/obstacle_manipulation.msd", "tests/emitted/obstacle_manipulation.rs"),
+        ("stdlib/networks/navigator.fsfn", "tests/emitted/navigator.rs"),
         ("benches/emit/switching.msd", "benches/emit/switching.rs"),
     ] {
         let code = analyze_path(source).rust(&Options::default()).unwrap();

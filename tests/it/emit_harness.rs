@@ -44,9 +44,16 @@ impl Case {
     pub fn bare_drivers(&self, path: &str) -> Vec<String> {
         let networks = self.networks.iter().map(|plan| {
             let (name, remembers) = (&plan.name, interface(&self.code, &plan.name).fields.contains_key("Memory"));
+            let columns = interface(&self.code, &plan.name).functions.get("evaluate_columns").map(|columns| {
+                let given = columns.iter().map(|(_, kind)| {
+                    if kind.contains("mut") { "&mut any::<[_; 7]>(), " } else { "&any::<[_; 9]>(), " }
+                });
+                format!("{path}::{name}::evaluate_columns({});", given.collect::<Vec<_>>().concat())
+            });
+            let columns = columns.unwrap_or_default();
             let memory =
                 if remembers { format!(", &mut any::<{path}::{name}::Memory>(), any()") } else { String::new() };
-            format!("black_box({path}::{name}::evaluate(&any::<{path}::{name}::Inputs>(){memory}));")
+            format!("black_box({path}::{name}::evaluate(&any::<{path}::{name}::Inputs>(){memory})); {columns}")
         });
         let diagrams = self.diagrams.iter().map(|plan| {
             let path = format!("{path}::{}", plan.name);
@@ -149,6 +156,8 @@ fn drive_network(path: &str, code: &str, plan: &NetworkPlan) -> String {
         format!("write!(line, \" {{}} {{}}\", outputs.{name}.fired, bits(outputs.{name}.value)).unwrap();\n")
     });
     let lines = lines.chain(outputs).collect::<Vec<_>>().concat();
+    let columns =
+        if interface.functions.contains_key("evaluate_columns") { compare_columns(path, plan) } else { String::new() };
     let strengths = if plan.events.is_empty() { "()".to_owned() } else { format!("{path}::strengths(&inputs)") };
     let said = match (plan.events.is_empty(), plan.outputs.is_empty()) {
         (false, true) => "events",
@@ -157,6 +166,7 @@ fn drive_network(path: &str, code: &str, plan: &NetworkPlan) -> String {
     };
     format!(
         "{memory}
+        let mut told = Vec::new();
         for _ in 0..words.next() {{
             let dt = words.next();
             let _ = dt;
@@ -167,7 +177,46 @@ fn drive_network(path: &str, code: &str, plan: &NetworkPlan) -> String {
             let mut line = String::new();
             {lines}
             println!(\"{{line}}\");
-        }}"
+            told.push(inputs);
+        }}
+        {columns}"
+    )
+}
+
+/// What asserts that columns say what `evaluate` says of each of the readings `told`.
+fn compare_columns(path: &str, plan: &NetworkPlan) -> String {
+    let inputs =
+        plan.inputs.iter().map(|input| format!("&told.iter().map(|row| row.{}).collect::<Vec<_>>(), ", input.name));
+    let events = plan.events.iter().map(|event| format!("event_{}", event.name));
+    let outputs =
+        plan.outputs.iter().flat_map(|output| ["value", "fired"].map(|part| format!("{part}_{}", output.name)));
+    let columns: Vec<_> = events.chain(outputs).collect();
+    let declared = columns.iter().map(|column| format!("let mut {column} = vec![Default::default(); told.len()];"));
+    let given = columns.iter().map(|column| format!("&mut {column}, "));
+    let said = match (plan.events.is_empty(), plan.outputs.is_empty()) {
+        (false, true) => "events",
+        (true, _) => "outputs",
+        (false, false) => "(events, outputs)",
+    };
+    let events = plan.events.iter().map(|event| format!("assert_eq!(event_{0}[row], events.{0});", event.name));
+    let outputs = plan.outputs.iter().map(|output| {
+        format!(
+            "assert_eq!(value_{0}[row].to_bits(), outputs.{0}.value.to_bits());
+            assert_eq!(fired_{0}[row], outputs.{0}.fired);",
+            output.name
+        )
+    });
+    format!(
+        "{} {path}::evaluate_columns({} {});
+        for (row, inputs) in told.iter().enumerate() {{
+            let {said} = {path}::evaluate(inputs);
+            {} {}
+        }}",
+        declared.collect::<Vec<_>>().concat(),
+        inputs.collect::<Vec<_>>().concat(),
+        given.collect::<Vec<_>>().concat(),
+        events.collect::<Vec<_>>().concat(),
+        outputs.collect::<Vec<_>>().concat(),
     )
 }
 
