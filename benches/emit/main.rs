@@ -4,6 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a bench without its input has nothing to measure")]
 
 mod by_hand;
+mod by_hand_navigator;
 mod by_smlang;
 mod by_statig;
 
@@ -21,6 +22,11 @@ mod emitted {
     include!("../../tests/emitted/obstacle_manipulation.rs");
 }
 use emitted::{obstacle_id, obstacle_manipulation as manipulation};
+
+mod emitted_navigator {
+    include!("../../tests/emitted/navigator.rs");
+}
+use emitted_navigator::navigator;
 
 mod emitted_switching {
     include!("switching.rs");
@@ -205,6 +211,109 @@ fn networks(program: &Analysis, time: Duration) {
     measure("obstacle_id, each after the one before", &readings, &runs, time);
 }
 
+fn courses() -> Vec<navigator::Inputs> {
+    let mut seed = 3;
+    let mut reading = || navigator::Inputs {
+        target: draw(&mut seed, -3.2, 3.2),
+        gate: draw(&mut seed, -3.2, 3.2),
+        obstacle: draw(&mut seed, 0.0, 60.0),
+        left: draw(&mut seed, 0.0, 10.0),
+        right: draw(&mut seed, 0.0, 10.0),
+    };
+    (0..COUNT).map(|_| reading()).collect()
+}
+
+fn emitted_course(inputs: &navigator::Inputs) -> [f64; 2] {
+    let outputs = navigator::evaluate(inputs);
+    [outputs.steering.value, outputs.speed.value]
+}
+
+fn steered(sum: u64, [steering, speed]: [f64; 2]) -> u64 {
+    sum.rotate_left(1) ^ steering.to_bits() ^ speed.to_bits().rotate_left(32)
+}
+
+#[inline]
+fn driven(inputs: &[navigator::Inputs], evaluate: impl Fn(&navigator::Inputs) -> [f64; 2]) -> u64 {
+    inputs.iter().fold(0, |sum, reading| steered(sum, evaluate(reading)))
+}
+
+/// Each answer is part of the next reading, so that nothing overlaps.
+#[inline]
+fn driven_on(inputs: &[navigator::Inputs], evaluate: impl Fn(&navigator::Inputs) -> [f64; 2]) -> u64 {
+    let mut answer = [0.0, 0.0];
+    inputs.iter().fold(0, |sum, reading| {
+        let [steering, speed] = answer;
+        let reading = navigator::Inputs { target: reading.target - steering, left: reading.left + speed, ..*reading };
+        answer = evaluate(&reading);
+        steered(sum, answer)
+    })
+}
+
+fn navigators(program: &Analysis, time: Duration) {
+    let checked = program.checked().unwrap();
+    let (id, _) = program.program.networks.iter().find(|(_, network)| network.symbol.name == "navigator").unwrap();
+    let plan = plan::build_network(checked, id);
+    let interpreted = |inputs: &[navigator::Inputs]| {
+        let mut evaluator = Evaluator::new(&plan);
+        inputs.iter().fold(0, |sum, inputs| {
+            let told = [inputs.target, inputs.gate, inputs.obstacle, inputs.left, inputs.right];
+            evaluator.evaluate(&told.map(|value| Reading { value, healthy: true }), u64::from(TICK));
+            steered(sum, [0, 1].map(|output: usize| evaluator.real(plan.outputs[output].value)))
+        })
+    };
+    let courses = courses();
+    let runs: [Run<'_, _>; 3] = [
+        ("emitted", &|inputs| driven(inputs, emitted_course)),
+        ("by hand", &|inputs| driven(inputs, by_hand_navigator::navigator)),
+        ("interpreter", &interpreted),
+    ];
+    measure("navigator", &courses, &runs, time);
+    let runs: [Run<'_, _>; 2] = [
+        ("emitted", &|inputs| driven_on(inputs, emitted_course)),
+        ("by hand", &|inputs| driven_on(inputs, by_hand_navigator::navigator)),
+    ];
+    measure("navigator, each after the one before", &courses, &runs, time);
+}
+
+/// Columns against rows: the answers of all rows are left in memory by both.
+fn columns(time: Duration) {
+    let (readings, courses) = (readings(), courses());
+    let [left, right, force] = [0, 1, 2]
+        .map(|column: usize| readings.iter().map(|row| [row.left, row.right, row.force][column]).collect::<Vec<_>>());
+    let rows = |readings: &[obstacle_id::Inputs]| {
+        let (mut forward_collision, mut heavy_obstacle) = ([false; COUNT], [false; COUNT]);
+        for ((row, forward_collision), heavy_obstacle) in
+            readings.iter().zip(&mut forward_collision).zip(&mut heavy_obstacle)
+        {
+            let events = obstacle_id::evaluate(row);
+            (*forward_collision, *heavy_obstacle) = (events.forward_collision, events.heavy_obstacle);
+        }
+        black_box((&forward_collision, &heavy_obstacle));
+        forward_collision.iter().zip(&heavy_obstacle).fold(0, |sum, (one, other)| mix(sum, [*one, *other]))
+    };
+    let in_columns = |_: &[obstacle_id::Inputs]| {
+        let (mut forward_collision, mut heavy_obstacle) = ([false; COUNT], [false; COUNT]);
+        obstacle_id::evaluate_columns(&left, &right, &force, &mut forward_collision, &mut heavy_obstacle);
+        black_box((&forward_collision, &heavy_obstacle));
+        forward_collision.iter().zip(&heavy_obstacle).fold(0, |sum, (one, other)| mix(sum, [*one, *other]))
+    };
+    let runs: [Run<'_, _>; 2] = [("columns", &in_columns), ("rows", &rows)];
+    measure("obstacle_id, many readings", &readings, &runs, time);
+
+    let [target, gate, obstacle, left, right] = [0, 1, 2, 3, 4].map(|column: usize| {
+        let row = |row: &navigator::Inputs| [row.target, row.gate, row.obstacle, row.left, row.right][column];
+        courses.iter().map(row).collect::<Vec<_>>()
+    });
+    let in_columns = |_: &[navigator::Inputs]| {
+        let (mut steering, mut speed, mut fired) = (vec![0.0; COUNT], vec![0.0; COUNT], [[false; COUNT]; 2]);
+        let [one, other] = &mut fired;
+        navigator::evaluate_columns(&target, &gate, &obstacle, &left, &right, &mut steering, one, &mut speed, other);
+        steering.iter().zip(&speed).fold(0, |sum, (steering, speed)| steered(sum, [*steering, *speed]))
+    };
+    let runs: [Run<'_, _>; 2] = [("columns", &in_columns), ("rows", &|inputs| driven(inputs, emitted_course))];
+    measure("navigator, many readings", &courses, &runs, time);
+}
+
 /// Readings that lead through all modes: mostly quiet, with collisions, some of them heavy, and turns that end.
 fn manipulation_ticks() -> Vec<manipulation::Inputs> {
     let mut seed = 2;
@@ -333,7 +442,7 @@ struct Library;
 
 impl Files for Library {
     fn read(&self, _path: &str) -> Result<String, FileError> {
-        Ok("import std.behaviors.obstacle_manipulation\n".to_owned())
+        Ok("import std.behaviors.obstacle_manipulation\nimport std.networks.navigator\n".to_owned())
     }
 }
 
@@ -343,6 +452,8 @@ fn main() {
     let time = Duration::from_millis(if is_test { 0 } else { 1500 });
     let program = analyze(&Library, &["main.msd".to_owned()], &Options::default());
     networks(&program, time);
+    navigators(&program, time);
+    columns(time);
     machines(&program, time);
     println!("switching has {} bytes of state", size_of::<switching::Machine>());
     let runs: [Run<'_, _>; 4] = [

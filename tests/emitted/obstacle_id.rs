@@ -273,9 +273,13 @@ mod kernel {
     }
 
     /// Degree of membership of a triangle from `a` over `b` to `c`; `a <= b <= c`. Equal corners are steps with the larger
-    /// degree at the corner. No flank is above 1 on its own side of `b`, rounded or not.
+    /// degree at the corner. No flank is above 1 on its own side of `b`, rounded or not. Where both are equally wide, the
+    /// smaller distance is divided once, which rounds to the same.
     #[inline]
     pub fn triangle(x: f64, a: f64, b: f64, c: f64) -> f64 {
+        if a < b && b - a == c - b {
+            return maximum(0.0, minimum(x - a, c - x) / (b - a));
+        }
         let rising = if a < b { (x - a) / (b - a) } else { rectangle(x, b, c) };
         let falling = if b < c { (c - x) / (c - b) } else { rectangle(x, a, b) };
         maximum(0.0, minimum(rising, falling))
