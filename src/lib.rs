@@ -10,6 +10,7 @@ pub mod emit;
 pub mod interp;
 pub mod ir;
 pub mod kernel;
+pub mod lsp;
 mod membership;
 pub mod plan;
 pub mod report;

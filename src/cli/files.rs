@@ -7,8 +7,8 @@ use super::{config, flags::AnalysisFlags, terminal::Terminal};
 use crate::driver::{self, Analysis, FileError, Files, Options};
 
 /// The disk, and standard input as `-`.
-struct Disk {
-    stdin: Option<Result<String, FileError>>,
+pub(super) struct Disk {
+    pub(super) stdin: Option<Result<String, FileError>>,
 }
 
 impl Files for Disk {
@@ -102,6 +102,48 @@ fn collect(folder: &Path, files: &mut Vec<String>) -> std::io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// The files of the language below a folder, as far as it can be read.
+pub(super) fn below(folder: &str) -> Vec<String> {
+    let mut files = Vec::new();
+    // What was found before something could not be read is better than nothing.
+    let _ = collect(Path::new(folder), &mut files);
+    files
+}
+
+/// Where the user's system keeps what programs can make again; `None` where it does not say.
+pub(super) fn user_cache() -> Option<String> {
+    let said = |name: &str| std::env::var(name).ok().filter(|path| Path::new(path).is_absolute());
+    let below_home = |folder: &str| said("HOME").map(|home| format!("{home}/{folder}"));
+    let system = match std::env::consts::OS {
+        "windows" => said("LOCALAPPDATA"),
+        "macos" => below_home("Library/Caches"),
+        _ => below_home(".cache"),
+    };
+    said("XDG_CACHE_HOME").or(system).map(|path| path.replace('\\', "/"))
+}
+
+/// Writes a text that is not meant to be changed to a file, where it does not stand there already.
+///
+/// # Errors
+/// Those of the system.
+pub(super) fn keep(path: &str, text: &str) -> std::io::Result<()> {
+    let path = Path::new(path);
+    if std::fs::read(path).is_ok_and(|bytes| bytes == text.as_bytes()) {
+        return Ok(());
+    }
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder)?;
+    }
+    // One that cannot be written can still be replaced.
+    match std::fs::remove_file(path) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error),
+        _ => std::fs::write(path, text)?,
+    }
+    let mut permissions = std::fs::metadata(path)?.permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(path, permissions)
 }
 
 /// Writes a result to a file.

@@ -1,6 +1,6 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
-//! Imports: analysis, base, diag, driver, emit, interp, ir, plan, report, sim, view
+//! Imports: analysis, base, diag, driver, emit, interp, ir, lsp, plan, report, sim, view
 //! Crates: clap, clap_complete, clap_mangen, rayon, serde, similar, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
@@ -17,6 +17,7 @@ mod fix;
 mod flags;
 mod fmt;
 mod graph;
+mod lsp;
 mod new;
 mod quantity;
 mod run;
@@ -103,6 +104,8 @@ enum Command {
     Fmt(fmt::Fmt),
     /// Draw mode switching diagrams, or networks
     Graph(graph::Graph),
+    /// Serve an editor: the language server, over standard input and output
+    Lsp(lsp::Lsp),
     /// Explain a diagnostic, by its code or its name
     Explain(explain::Explain),
     /// Print what a shell needs to complete commands, flags and files
@@ -125,6 +128,7 @@ pub fn main() -> ExitCode {
         Command::Build(build) => build.execute(&terminal),
         Command::Fmt(fmt) => fmt.execute(&terminal),
         Command::Graph(graph) => graph.execute(&terminal),
+        Command::Lsp(_) => Ok(lsp::serve(&terminal)),
         Command::Explain(explain) => Ok(explain.execute(&terminal)),
         Command::Completions(completions) => Ok(completions.execute()),
         Command::Man => Ok(completions::man()),

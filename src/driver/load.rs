@@ -187,8 +187,8 @@ pub fn format(sources: &Sources, file: FileId) -> Result<String, Vec<Diagnostic>
     }
 }
 
-/// The kind of file a path names.
-fn kind(path: &str) -> Option<FileKind> {
+/// The kind of file a path names; `None` for one that is not of the language.
+pub fn kind(path: &str) -> Option<FileKind> {
     match path.rsplit_once('.').map(|(_, ending)| ending) {
         Some("msd") => Some(FileKind::Modes),
         Some("fsfn") => Some(FileKind::Fusion),

@@ -9,7 +9,7 @@ mod load;
 
 pub use compile::{NotCompiled, Plans};
 pub use library::LIBRARY;
-pub use load::{FileError, Files, format};
+pub use load::{FileError, Files, format, kind};
 
 pub use crate::syntax::is_name;
 

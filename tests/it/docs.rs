@@ -38,8 +38,22 @@ fn every_program_of_the_documentation_is_sound() {
 
 #[test]
 fn every_fence_says_what_it_is() {
-    let known =
-        ["msd", "fsfn", "msd,later", "fsfn,later", "text", "toml", "json", "rust", "csv", "sh", "console", "yaml"];
+    let known = [
+        "msd",
+        "fsfn",
+        "msd,later",
+        "fsfn,later",
+        "text",
+        "toml",
+        "json",
+        "rust",
+        "csv",
+        "sh",
+        "console",
+        "yaml",
+        "lua",
+        "lisp",
+    ];
     for path in pages().into_iter().chain(files_below("docs/errors", &["md"])) {
         for fence in fences(&std::fs::read_to_string(root().join(&path)).unwrap()) {
             assert!(known.contains(&fence.tag.as_str()), "{path}:{}: `{}`", fence.line, fence.tag);

@@ -22,6 +22,7 @@ mod fuzzy_findings;
 mod golden;
 mod golden_reader;
 mod limits;
+mod lsp;
 mod modes;
 mod navigator;
 mod network;

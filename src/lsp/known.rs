@@ -1,0 +1,55 @@
+//! What is known of a file and of all it imports.
+
+use std::cell::OnceCell;
+use std::ops::Range;
+
+use lsp_types::Location;
+
+use super::Lines;
+use super::folder::Folder;
+use crate::base::{FileId, Span};
+use crate::driver::Analysis;
+
+/// An analysis, with what places in it are in the protocol.
+pub(super) struct Known {
+    pub(super) analysis: Analysis,
+    /// Whether properties were looked at too.
+    pub(super) is_thorough: bool,
+    lines: Vec<OnceCell<Lines>>,
+}
+
+impl Known {
+    pub(super) fn new(analysis: Analysis, is_thorough: bool) -> Self {
+        let lines = analysis.sources.iter().map(|_| OnceCell::new()).collect();
+        Self { analysis, is_thorough, lines }
+    }
+
+    /// The file of that path.
+    pub(super) fn file(&self, path: &str) -> Option<FileId> {
+        self.analysis.sources.iter().find(|(_, source)| source.path == path).map(|(file, _)| file)
+    }
+
+    /// The text of a file; empty for one of another analysis.
+    pub(super) fn text(&self, file: FileId) -> &str {
+        self.analysis.sources.get(file).map_or("", |source| &source.text)
+    }
+
+    fn lines(&self, file: FileId) -> Option<&Lines> {
+        Some(self.lines.get(file.0 as usize)?.get_or_init(|| Lines::new(self.text(file))))
+    }
+
+    /// Where bytes of a file stand.
+    pub(super) fn range_of(&self, file: FileId, bytes: Range<usize>) -> lsp_types::Range {
+        self.lines(file).map(|lines| lines.range(self.text(file), bytes)).unwrap_or_default()
+    }
+
+    /// Where a span stands in its file.
+    pub(super) fn range(&self, span: Span) -> lsp_types::Range {
+        self.range_of(span.file, span.range())
+    }
+
+    /// Where a span can be opened.
+    pub(super) fn location(&self, span: Span, folder: &Folder) -> Option<Location> {
+        Some(Location::new(folder.uri(self.analysis.sources.path(span.file))?, self.range(span)))
+    }
+}

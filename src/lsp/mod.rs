@@ -1,0 +1,32 @@
+//! The language server: what an editor asks, answered from analyses of the files as they stand in the editor. One file
+//! a feature.
+//!
+//! Imports: base, diag, driver
+//! Crates: lsp-server, lsp-types
+
+mod diagnostics;
+mod documents;
+mod folder;
+mod formatting;
+mod known;
+mod lines;
+mod server;
+
+pub use lines::Lines;
+pub use server::{serve, serve_stdio};
+
+use crate::diag::Levels;
+use crate::driver::Files;
+
+/// What the server needs of the machine it runs on, beside the texts of files. Paths are absolute, but for those of an
+/// editor's texts that were never saved.
+pub trait Desk: Files {
+    /// The files of the language in a folder and the folders in it.
+    fn files(&self, folder: &str) -> Vec<String>;
+
+    /// The levels that the project's configuration for a file gives.
+    fn levels(&self, path: &str) -> Levels;
+
+    /// The folder in which an editor can open the standard library, as `std/robots/j5.msd`, if there is one.
+    fn library(&self) -> Option<String>;
+}

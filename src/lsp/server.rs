@@ -1,0 +1,300 @@
+//! The loop: messages in, answers and findings out, from the first greeting to the last.
+
+use std::collections::VecDeque;
+use std::rc::Rc;
+use std::time::Duration;
+
+use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
+use lsp_types::notification::{self as notifications, Notification as _};
+use lsp_types::request::{self as requests, Request as _};
+use lsp_types::{
+    CancelParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
+    DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams, InitializeParams, InitializeResult,
+    NumberOrString, OneOf, PublishDiagnosticsParams, ServerCapabilities, ServerInfo, TextDocumentSyncCapability,
+    TextDocumentSyncKind, TextEdit, Uri,
+};
+
+use super::documents::{Document, Documents, Overlay};
+use super::folder::Folder;
+use super::known::Known;
+use super::{Desk, diagnostics, formatting};
+use crate::base::FileId;
+use crate::driver::{self, Options};
+
+/// How long the client must be silent before properties are proved or refuted, which can take longer than a keystroke.
+const SILENCE: Duration = Duration::from_millis(300);
+
+/// Serves one client over standard input and output. Answers whether it took its leave as the protocol wants it.
+pub fn serve_stdio(desk: &dyn Desk) -> bool {
+    let (connection, threads) = Connection::stdio();
+    let orderly = serve(&connection, desk);
+    drop(connection);
+    // After an orderly end there is nothing left to read; else the reading thread may wait forever.
+    orderly && threads.join().is_ok()
+}
+
+/// Serves one client until it leaves. Answers whether it took its leave as the protocol wants it.
+pub fn serve(connection: &Connection, desk: &dyn Desk) -> bool {
+    let Ok((id, parameters)) = connection.initialize_start() else { return false };
+    let greeting = Request { id, method: requests::Initialize::METHOD.to_owned(), params: parameters };
+    let mut server = Server {
+        connection,
+        desk,
+        folder: Folder::default(),
+        documents: Documents::default(),
+        waiting: VecDeque::new(),
+        is_leaving: false,
+    };
+    let response = reply::<requests::Initialize>(greeting, |parameters| Ok(server.initialize(&parameters)));
+    server.send(response);
+    server.run()
+}
+
+/// Why a request is not carried out.
+pub(super) struct Refusal {
+    code: ErrorCode,
+    message: String,
+}
+
+struct Server<'a> {
+    connection: &'a Connection,
+    desk: &'a dyn Desk,
+    folder: Folder,
+    documents: Documents,
+    /// Messages that have come and were not looked at yet.
+    waiting: VecDeque<Message>,
+    /// Whether the client has said that it will leave.
+    is_leaving: bool,
+}
+
+/// Answers a request, or says what is wrong with its parameters.
+fn reply<R: requests::Request>(
+    request: Request,
+    answer: impl FnOnce(R::Params) -> Result<R::Result, Refusal>,
+) -> Response {
+    let id = request.id.clone();
+    let answered = match request.extract::<R::Params>(R::METHOD) {
+        Ok((_, parameters)) => answer(parameters),
+        Err(error) => Err(Refusal { code: ErrorCode::InvalidParams, message: error.to_string() }),
+    };
+    match answered {
+        Ok(result) => Response::new_ok(id, result),
+        Err(Refusal { code, message }) => Response::new_err(id, code as i32, message),
+    }
+}
+
+fn capabilities() -> ServerCapabilities {
+    ServerCapabilities {
+        text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::INCREMENTAL)),
+        document_formatting_provider: Some(OneOf::Left(true)),
+        ..ServerCapabilities::default()
+    }
+}
+
+impl Server<'_> {
+    fn initialize(&mut self, parameters: &InitializeParams) -> InitializeResult {
+        let folders = parameters.workspace_folders.as_deref().unwrap_or_default();
+        #[expect(deprecated, reason = "clients that know of one folder only say so here")]
+        let root = folders.first().map(|folder| &folder.uri).or(parameters.root_uri.as_ref());
+        self.folder = Folder::new(root, self.desk.library());
+        let version = Some(env!("CARGO_PKG_VERSION").to_owned());
+        let server_info = Some(ServerInfo { name: env!("CARGO_PKG_NAME").to_owned(), version });
+        InitializeResult { capabilities: capabilities(), server_info }
+    }
+
+    fn run(&mut self) -> bool {
+        while let Some(message) = self.next() {
+            match message {
+                Message::Request(request) => {
+                    let response = self.answer(request);
+                    self.send(response);
+                }
+                Message::Notification(told) if told.method == notifications::Exit::METHOD => return self.is_leaving,
+                Message::Notification(told) => self.note(told),
+                Message::Response(_) => {}
+            }
+        }
+        false
+    }
+
+    /// The next message; `None` when the client is gone. What has to be told is told while none is waiting.
+    fn next(&mut self) -> Option<Message> {
+        let receiver = &self.connection.receiver;
+        self.waiting.extend(receiver.try_iter());
+        if let Some(message) = self.waiting.pop_front() {
+            return Some(message);
+        }
+        self.tell(false);
+        let is_thorough = |document: &Document| document.known.as_ref().is_some_and(|known| known.is_thorough);
+        if !self.documents.open.values().all(is_thorough) {
+            match receiver.recv_timeout(SILENCE) {
+                Ok(message) => return Some(message),
+                Err(error) if error.is_disconnected() => return None,
+                Err(_) => self.tell(true),
+            }
+        }
+        receiver.recv().ok()
+    }
+
+    /// A client that is gone is noticed where the next message is waited for.
+    fn send(&self, message: impl Into<Message>) {
+        let _ = self.connection.sender.send(message.into());
+    }
+
+    fn answer(&mut self, request: Request) -> Response {
+        if self.is_leaving {
+            let message = "the server has been shut down".to_owned();
+            return Response::new_err(request.id, ErrorCode::InvalidRequest as i32, message);
+        }
+        if self.is_cancelled(&request.id) {
+            return Response::new_err(request.id, ErrorCode::RequestCanceled as i32, "cancelled".to_owned());
+        }
+        match request.method.as_str() {
+            requests::Shutdown::METHOD => {
+                self.is_leaving = true;
+                Response::new_ok(request.id, ())
+            }
+            requests::Formatting::METHOD => reply::<requests::Formatting>(request, |of| Ok(self.format(&of))),
+            _ => {
+                let message = format!("there is no method `{}`", request.method);
+                Response::new_err(request.id, ErrorCode::MethodNotFound as i32, message)
+            }
+        }
+    }
+
+    /// Whether a request that is about to be answered is taken back by a message behind it.
+    fn is_cancelled(&self, id: &RequestId) -> bool {
+        self.waiting.iter().any(|message| {
+            let Message::Notification(told) = message else { return false };
+            let cancelled = told.clone().extract::<CancelParams>(notifications::Cancel::METHOD);
+            cancelled.is_ok_and(|cancelled| match cancelled.id {
+                NumberOrString::Number(number) => *id == RequestId::from(number),
+                NumberOrString::String(text) => *id == RequestId::from(text),
+            })
+        })
+    }
+
+    /// Takes a notification over. One that is broken, or unknown, changes nothing.
+    fn note(&mut self, told: Notification) {
+        let method = told.method.clone();
+        match method.as_str() {
+            notifications::DidOpenTextDocument::METHOD => {
+                if let Ok(opened) = told.extract(&method) {
+                    self.opened(opened);
+                }
+            }
+            notifications::DidChangeTextDocument::METHOD => {
+                if let Ok(changed) = told.extract(&method) {
+                    self.changed(changed);
+                }
+            }
+            notifications::DidCloseTextDocument::METHOD => {
+                if let Ok(closed) = told.extract(&method) {
+                    self.closed(&closed);
+                }
+            }
+            notifications::DidSaveTextDocument::METHOD => {
+                if let Ok(saved) = told.extract(&method) {
+                    self.saved(&saved);
+                }
+            }
+            notifications::DidChangeWatchedFiles::METHOD => {
+                if let Ok(changed) = told.extract(&method) {
+                    self.files_changed(&changed);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn opened(&mut self, opened: DidOpenTextDocumentParams) {
+        let document = opened.text_document;
+        let path = self.folder.path(&document.uri);
+        // A client may be set up to open more with us than is ours.
+        if driver::kind(&path).is_none() {
+            return;
+        }
+        let levels = self.desk.levels(&self.folder.on_disk(&path));
+        self.documents.forget_all();
+        let (uri, text, version) = (document.uri, document.text, document.version);
+        self.documents.open.insert(path, Document { uri, text, version, levels, known: None, told: None });
+    }
+
+    fn changed(&mut self, changed: DidChangeTextDocumentParams) {
+        let path = self.folder.path(&changed.text_document.uri);
+        let Some(document) = self.documents.open.get_mut(&path) else { return };
+        document.version = changed.text_document.version;
+        for change in changed.content_changes {
+            document.change(change);
+        }
+        self.documents.forget(&path);
+    }
+
+    fn closed(&mut self, closed: &DidCloseTextDocumentParams) {
+        let uri = &closed.text_document.uri;
+        if self.documents.open.remove(&self.folder.path(uri)).is_some() {
+            self.documents.forget_all();
+            self.publish(uri.clone(), None, Vec::new());
+        }
+    }
+
+    fn saved(&mut self, saved: &DidSaveTextDocumentParams) {
+        let path = self.folder.path(&saved.text_document.uri);
+        let levels = self.desk.levels(&self.folder.on_disk(&path));
+        if let Some(document) = self.documents.open.get_mut(&path) {
+            document.levels = levels;
+            document.known = None;
+        }
+    }
+
+    fn files_changed(&mut self, _: &DidChangeWatchedFilesParams) {
+        for (path, document) in &mut self.documents.open {
+            document.levels = self.desk.levels(&self.folder.on_disk(path));
+        }
+        self.documents.forget_all();
+    }
+
+    /// What is known of a document; looks at it where nothing is, and again where a more thorough look is wanted.
+    fn know(&mut self, path: &str, thorough: bool) -> Option<Rc<Known>> {
+        let document = self.documents.open.get(path)?;
+        if let Some(known) = document.known.as_ref().filter(|known| known.is_thorough || !thorough) {
+            return Some(Rc::clone(known));
+        }
+        let files = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
+        let options = Options { levels: document.levels.clone(), verify: thorough, ..Options::default() };
+        let analysis = driver::analyze(&files, &[path.to_owned()], &options);
+        let known = Rc::new(Known::new(analysis, thorough));
+        self.documents.open.get_mut(path)?.known = Some(Rc::clone(&known));
+        Some(known)
+    }
+
+    /// Publishes what is found in the documents that have changed, where it is something else than before.
+    fn tell(&mut self, thorough: bool) {
+        let is_unknown =
+            |document: &Document| document.known.as_ref().is_none_or(|known| thorough && !known.is_thorough);
+        let open = self.documents.open.iter();
+        let changed: Vec<_> = open.filter(|(_, document)| is_unknown(document)).map(|(path, _)| path.clone()).collect();
+        for path in changed {
+            let Some(known) = self.know(&path, thorough) else { continue };
+            // The file that was asked for is the first.
+            let found = diagnostics::diagnostics(&known, FileId(0), &self.folder);
+            let Some(document) = self.documents.open.get_mut(&path) else { continue };
+            if document.told.as_ref() != Some(&found) {
+                document.told = Some(found.clone());
+                let (uri, version) = (document.uri.clone(), document.version);
+                self.publish(uri, Some(version), found);
+            }
+        }
+    }
+
+    fn publish(&self, uri: Uri, version: Option<i32>, diagnostics: Vec<lsp_types::Diagnostic>) {
+        let found = PublishDiagnosticsParams { uri, diagnostics, version };
+        self.send(Notification::new(notifications::PublishDiagnostics::METHOD.to_owned(), found));
+    }
+
+    fn format(&self, of: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
+        let path = self.folder.path(&of.text_document.uri);
+        let document = self.documents.open.get(&path)?;
+        Some(formatting::formatting(&path, &document.text))
+    }
+}
