@@ -104,12 +104,12 @@ fn collect(folder: &Path, files: &mut Vec<String>) -> std::io::Result<()> {
     Ok(())
 }
 
-/// The files of the language below a folder, as far as it can be read.
+/// The files of the language below a folder, as far as it can be read, with slashes between their folders.
 pub(super) fn below(folder: &str) -> Vec<String> {
     let mut files = Vec::new();
     // What was found before something could not be read is better than nothing.
     let _ = collect(Path::new(folder), &mut files);
-    files
+    if cfg!(windows) { files.into_iter().map(|path| path.replace('\\', "/")).collect() } else { files }
 }
 
 /// Where the user's system keeps what programs can make again; `None` where it does not say.

@@ -13,7 +13,7 @@ pub use load::{FileError, Files, format, kind};
 
 pub use crate::syntax::is_name;
 
-use crate::base::{FileId, Sources};
+use crate::base::{FileId, Sources, Span};
 use crate::diag::{self, Diagnostic, Levels, Rule, Severity, Suppressions};
 use crate::{analysis, ir, plan, sema, sim, verify};
 
@@ -45,6 +45,8 @@ pub struct Analysis {
     pub units: Vec<sema::Unit>,
     /// What they declare.
     pub program: ir::Program,
+    /// Every name that was understood, and where what it means is declared; see [`sema::Lowered::uses`].
+    pub uses: Vec<(Span, Span)>,
     /// What was found, sorted by place.
     pub findings: Vec<Diagnostic>,
     /// How many properties are proved.
@@ -69,7 +71,7 @@ impl Analysis {
 /// Linear in the size of the files, and in the cases of each mode.
 pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analysis {
     let load::Loaded { roots, sources, units, mut findings } = load::load(files, roots);
-    let (program, mut lowering) = sema::lower(&units, &sources);
+    let sema::Lowered { program, diagnostics: mut lowering, uses } = sema::lower(&units, &sources);
     library::suggest(&mut lowering, &sources);
     findings.extend(lowering);
     let matters = |file| !library::holds(&sources, file);
@@ -89,5 +91,5 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     }
     options.levels.apply(&mut findings, &suppressions);
     diag::sort(&mut findings);
-    Analysis { roots, sources, units, program, findings, proved, counterexamples }
+    Analysis { roots, sources, units, program, uses, findings, proved, counterexamples }
 }

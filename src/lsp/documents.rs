@@ -76,3 +76,15 @@ impl Files for Overlay<'_> {
         }
     }
 }
+
+/// Some texts over all others: files as they would be after a change.
+pub(super) struct Changed<'a> {
+    pub(super) texts: BTreeMap<String, String>,
+    pub(super) under: Overlay<'a>,
+}
+
+impl Files for Changed<'_> {
+    fn read(&self, path: &str) -> Result<String, FileError> {
+        self.texts.get(path).map_or_else(|| self.under.read(path), |text| Ok(text.clone()))
+    }
+}

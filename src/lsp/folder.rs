@@ -20,6 +20,11 @@ impl Folder {
         Self { root: root.and_then(absolute).map(closed).unwrap_or_default(), library: library.map(closed) }
     }
 
+    /// The root, where there is one.
+    pub(super) fn root(&self) -> Option<&str> {
+        Some(self.root.as_str()).filter(|root| !root.is_empty())
+    }
+
     /// The path by which the compiler knows a file: from the root where it lies below it, `std/...` where it is one of the
     /// library.
     pub(super) fn path(&self, uri: &Uri) -> String {

@@ -3,10 +3,11 @@
 use std::cell::OnceCell;
 use std::ops::Range;
 
-use lsp_types::Location;
+use lsp_types::{Location, Position};
 
 use super::Lines;
 use super::folder::Folder;
+use super::names::{self, Declared};
 use crate::base::{FileId, Span};
 use crate::driver::Analysis;
 
@@ -16,12 +17,13 @@ pub(super) struct Known {
     /// Whether properties were looked at too.
     pub(super) is_thorough: bool,
     lines: Vec<OnceCell<Lines>>,
+    declared: OnceCell<Declared>,
 }
 
 impl Known {
     pub(super) fn new(analysis: Analysis, is_thorough: bool) -> Self {
         let lines = analysis.sources.iter().map(|_| OnceCell::new()).collect();
-        Self { analysis, is_thorough, lines }
+        Self { analysis, is_thorough, lines, declared: OnceCell::new() }
     }
 
     /// The file of that path.
@@ -46,6 +48,16 @@ impl Known {
     /// Where a span stands in its file.
     pub(super) fn range(&self, span: Span) -> lsp_types::Range {
         self.range_of(span.file, span.range())
+    }
+
+    /// The byte at a position of a file.
+    pub(super) fn byte(&self, file: FileId, position: Position) -> usize {
+        self.lines(file).map_or(0, |lines| lines.byte(self.text(file), position))
+    }
+
+    /// What is declared.
+    pub(super) fn declared(&self) -> &Declared {
+        self.declared.get_or_init(|| names::declared(&self.analysis.program))
     }
 
     /// Where a span can be opened.

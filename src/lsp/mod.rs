@@ -1,15 +1,20 @@
 //! The language server: what an editor asks, answered from analyses of the files as they stand in the editor. One file
 //! a feature.
 //!
-//! Imports: base, diag, driver
+//! Imports: analysis, base, diag, driver, ir, membership
 //! Crates: lsp-server, lsp-types
 
+mod definition;
 mod diagnostics;
 mod documents;
+mod drawing;
 mod folder;
 mod formatting;
+mod hover;
 mod known;
 mod lines;
+mod names;
+mod rename;
 mod server;
 
 pub use lines::Lines;

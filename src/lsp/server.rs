@@ -9,20 +9,29 @@ use lsp_types::notification::{self as notifications, Notification as _};
 use lsp_types::request::{self as requests, Request as _};
 use lsp_types::{
     CancelParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
-    DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams, InitializeParams, InitializeResult,
-    NumberOrString, OneOf, PublishDiagnosticsParams, ServerCapabilities, ServerInfo, TextDocumentSyncCapability,
-    TextDocumentSyncKind, TextEdit, Uri,
+    DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams, HoverProviderCapability,
+    InitializeParams, InitializeResult, NumberOrString, OneOf, PrepareRenameResponse, PublishDiagnosticsParams,
+    RenameOptions, RenameParams, ServerCapabilities, ServerInfo, TextDocumentPositionParams,
+    TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions, WorkspaceEdit,
 };
 
-use super::documents::{Document, Documents, Overlay};
+use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
-use super::{Desk, diagnostics, formatting};
-use crate::base::FileId;
+use super::{Desk, definition, diagnostics, formatting, hover, rename};
+use crate::base::{FileId, Span};
 use crate::driver::{self, Options};
 
 /// How long the client must be silent before properties are proved or refuted, which can take longer than a keystroke.
 const SILENCE: Duration = Duration::from_millis(300);
+
+/// The file that an analysis of one file was asked for is its first.
+const ROOT: FileId = FileId(0);
+
+/// How to look at all files together: for what they name.
+fn all() -> Options {
+    Options { faults: 0, verify: false, ..Options::default() }
+}
 
 /// Serves one client over standard input and output. Answers whether it took its leave as the protocol wants it.
 pub fn serve_stdio(desk: &dyn Desk) -> bool {
@@ -42,6 +51,7 @@ pub fn serve(connection: &Connection, desk: &dyn Desk) -> bool {
         desk,
         folder: Folder::default(),
         documents: Documents::default(),
+        everything: None,
         waiting: VecDeque::new(),
         is_leaving: false,
     };
@@ -56,11 +66,17 @@ pub(super) struct Refusal {
     message: String,
 }
 
+fn refused(message: String) -> Refusal {
+    Refusal { code: ErrorCode::RequestFailed, message }
+}
+
 struct Server<'a> {
     connection: &'a Connection,
     desk: &'a dyn Desk,
     folder: Folder,
     documents: Documents,
+    /// What is known of all files together, since the last change.
+    everything: Option<Rc<Known>>,
     /// Messages that have come and were not looked at yet.
     waiting: VecDeque<Message>,
     /// Whether the client has said that it will leave.
@@ -87,6 +103,13 @@ fn capabilities() -> ServerCapabilities {
     ServerCapabilities {
         text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::INCREMENTAL)),
         document_formatting_provider: Some(OneOf::Left(true)),
+        definition_provider: Some(OneOf::Left(true)),
+        references_provider: Some(OneOf::Left(true)),
+        rename_provider: Some(OneOf::Right(RenameOptions {
+            prepare_provider: Some(true),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        })),
+        hover_provider: Some(HoverProviderCapability::Simple(true)),
         ..ServerCapabilities::default()
     }
 }
@@ -155,6 +178,23 @@ impl Server<'_> {
                 Response::new_ok(request.id, ())
             }
             requests::Formatting::METHOD => reply::<requests::Formatting>(request, |of| Ok(self.format(&of))),
+            requests::GotoDefinition::METHOD => reply::<requests::GotoDefinition>(request, |of| {
+                let found = self.named(&of.text_document_position_params);
+                Ok(found.map(|(known, name)| definition::definition(&known, name, &self.folder).into()))
+            }),
+            requests::References::METHOD => reply::<requests::References>(request, |of| {
+                let found = self.named_anywhere(&of.text_document_position);
+                let all = of.context.include_declaration;
+                Ok(found.map(|(known, name)| definition::references(&known, name, all, &self.folder)))
+            }),
+            requests::PrepareRenameRequest::METHOD => {
+                reply::<requests::PrepareRenameRequest>(request, |of| self.prepare_rename(&of))
+            }
+            requests::Rename::METHOD => reply::<requests::Rename>(request, |of| self.rename(&of)),
+            requests::HoverRequest::METHOD => reply::<requests::HoverRequest>(request, |of| {
+                let found = self.at(&of.text_document_position_params);
+                Ok(found.and_then(|(known, byte)| hover::hover(&known, ROOT, byte)))
+            }),
             _ => {
                 let message = format!("there is no method `{}`", request.method);
                 Response::new_err(request.id, ErrorCode::MethodNotFound as i32, message)
@@ -177,6 +217,7 @@ impl Server<'_> {
     /// Takes a notification over. One that is broken, or unknown, changes nothing.
     fn note(&mut self, told: Notification) {
         let method = told.method.clone();
+        self.everything = None;
         match method.as_str() {
             notifications::DidOpenTextDocument::METHOD => {
                 if let Ok(opened) = told.extract(&method) {
@@ -268,6 +309,69 @@ impl Server<'_> {
         Some(known)
     }
 
+    /// What is known of the document of a position, and the byte there.
+    fn at(&mut self, of: &TextDocumentPositionParams) -> Option<(Rc<Known>, usize)> {
+        let known = self.know(&self.folder.path(&of.text_document.uri), false)?;
+        let byte = known.byte(ROOT, of.position);
+        Some((known, byte))
+    }
+
+    /// The name at a position.
+    fn named(&mut self, of: &TextDocumentPositionParams) -> Option<(Rc<Known>, Span)> {
+        let (known, byte) = self.at(of)?;
+        let name = known.name_at(ROOT, byte)?;
+        Some((known, name))
+    }
+
+    /// The name at a position, among all files of the client's folder and all open ones.
+    fn named_anywhere(&mut self, of: &TextDocumentPositionParams) -> Option<(Rc<Known>, Span)> {
+        let known = self.know_all();
+        let file = known.file(&self.folder.path(&of.text_document.uri))?;
+        let name = known.name_at(file, known.byte(file, of.position))?;
+        Some((known, name))
+    }
+
+    /// What is known of all files of the client's folder and all open ones together.
+    fn know_all(&mut self) -> Rc<Known> {
+        if let Some(known) = &self.everything {
+            return Rc::clone(known);
+        }
+        let files = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
+        let known = Rc::new(Known::new(driver::analyze(&files, &self.all_paths(), &all()), false));
+        self.everything = Some(Rc::clone(&known));
+        known
+    }
+
+    fn all_paths(&self) -> Vec<String> {
+        let on_disk = self.folder.root().map(|root| self.desk.files(root)).unwrap_or_default();
+        let on_disk = on_disk.into_iter().map(|path| self.folder.relative(path));
+        self.documents.open.keys().cloned().chain(on_disk).collect()
+    }
+
+    fn prepare_rename(&mut self, of: &TextDocumentPositionParams) -> Result<Option<PrepareRenameResponse>, Refusal> {
+        let Some((known, name)) = self.named_anywhere(of) else { return Ok(None) };
+        rename::places(&known, name).map_err(refused)?;
+        Ok(Some(PrepareRenameResponse::Range(known.range(name))))
+    }
+
+    fn rename(&mut self, of: &RenameParams) -> Result<Option<WorkspaceEdit>, Refusal> {
+        let new = &of.new_name;
+        let Some((known, name)) = self.named_anywhere(&of.text_document_position) else { return Ok(None) };
+        let places = rename::places(&known, name).map_err(refused)?;
+        if !driver::is_name(new) {
+            return Err(refused(format!("`{new}` is not a name")));
+        }
+        let texts = rename::renamed(&known, &places, new);
+        let texts =
+            texts.into_iter().map(|(file, text)| (known.analysis.sources.path(file).to_owned(), text)).collect();
+        let under = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
+        let after = driver::analyze(&Changed { texts, under }, &self.all_paths(), &all());
+        match rename::new_error(&known, &Known::new(after, false)) {
+            Some(message) => Err(refused(format!("with that name {message}"))),
+            None => Ok(Some(rename::edit(&known, &places, new, &self.folder))),
+        }
+    }
+
     /// Publishes what is found in the documents that have changed, where it is something else than before.
     fn tell(&mut self, thorough: bool) {
         let is_unknown =
@@ -276,8 +380,7 @@ impl Server<'_> {
         let changed: Vec<_> = open.filter(|(_, document)| is_unknown(document)).map(|(path, _)| path.clone()).collect();
         for path in changed {
             let Some(known) = self.know(&path, thorough) else { continue };
-            // The file that was asked for is the first.
-            let found = diagnostics::diagnostics(&known, FileId(0), &self.folder);
+            let found = diagnostics::diagnostics(&known, ROOT, &self.folder);
             let Some(document) = self.documents.open.get_mut(&path) else { continue };
             if document.told.as_ref() != Some(&found) {
                 document.told = Some(found.clone());

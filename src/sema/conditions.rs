@@ -22,9 +22,10 @@ pub(super) struct Scene {
     pub(super) flags: HashMap<String, Option<Id<ir::Flag>>>,
     /// The network of each sense, for what it has besides events.
     pub(super) sense_networks: Vec<Id<ir::Network>>,
-    /// Where each sense and each flag is declared.
+    /// Where each sense, each flag and each mode is declared.
     pub(super) sense_places: Vec<Span>,
     pub(super) flag_places: Vec<Span>,
+    pub(super) mode_places: Vec<Span>,
     /// The modes, where a condition may name them.
     pub(super) modes: HashMap<String, Id<ir::Mode>>,
     /// The interface the behavior is written on, if it is one.
@@ -71,6 +72,7 @@ impl Lower<'_> {
         }
         for (id, mode) in diagram.modes.iter() {
             scene.modes.insert(mode.symbol.name.clone(), id);
+            scene.mode_places.push(mode.symbol.span);
         }
         for (id, flag) in diagram.flags.iter() {
             scene.flags.insert(flag.symbol.name.clone(), Some(id));
@@ -79,6 +81,7 @@ impl Lower<'_> {
         for (position, sense) in diagram.senses.iter().enumerate() {
             scene.senses.insert(sense.symbol.name.clone(), position as u32);
             scene.sense_places.push(sense.symbol.span);
+            scene.sense_networks.push(sense.network);
             for (event, declared) in self.program.networks[sense.network].events.iter().enumerate() {
                 let place = (position as u32, event as u32);
                 scene.events.entry(declared.symbol.name.clone()).or_default().push(place);
@@ -203,18 +206,27 @@ impl Lower<'_> {
             self.report(if is_near { diagnostic } else { diagnostic.help_maybe(elsewhere) });
         }
         let op = found.pop().map(|(_, op)| op)?;
-        self.note_read(&op, scene);
+        self.note_read(name.span, &op, scene);
         Some(op)
     }
 
-    fn note_read(&mut self, op: &Op, scene: &Scene) {
-        let place = match op {
+    /// Notes that a name reads something.
+    fn note_read(&mut self, name: Span, op: &Op, scene: &Scene) {
+        let declared = match op {
             Op::Flag(flag) => scene.flag_places.get(flag.index()).copied(),
-            Op::Event { sense, .. } => scene.sense_places.get(*sense as usize).copied(),
+            Op::Event { sense, event } => {
+                self.read.extend(scene.sense_places.get(*sense as usize));
+                let network = scene.sense_networks.get(*sense as usize).map(|&network| &self.program.networks[network]);
+                network.and_then(|network| network.events.get(*event as usize)).map(|event| event.symbol.span)
+            }
             Op::Sensor(sensor) => Some(self.program.sensors[*sensor].symbol.span),
+            Op::InMode(mode) => scene.mode_places.get(mode.index()).copied(),
             _ => None,
         };
-        self.read.extend(place);
+        if let Some(declared) = declared {
+            self.read.insert(declared);
+            self.refers(name, declared);
+        }
     }
 
     /// Where a network has an event of that name that the behavior does not sense.
@@ -232,6 +244,7 @@ impl Lower<'_> {
             }
             return None;
         };
+        self.refers(sense.span, scene.sense_places[position as usize]);
         let found = scene.events.get(&event.text).into_iter().flatten().find(|(sense, _)| *sense == position);
         if found.is_none() {
             let known = scene.events.iter().filter(|(_, of)| of.iter().any(|(sense, _)| *sense == position));
@@ -239,7 +252,7 @@ impl Lower<'_> {
             self.report(self.unknown(event, &what, known.map(|(name, _)| name.as_str())));
         }
         let op = found.map(|&(sense, event)| Op::Event { sense, event })?;
-        self.note_read(&op, scene);
+        self.note_read(event.span, &op, scene);
         Some(op)
     }
 
@@ -256,7 +269,11 @@ impl Lower<'_> {
             let diagnostic = self.unknown(name, "sensor", known);
             self.report(diagnostic);
         }
-        self.read.extend(found.map(|sensor| self.program.sensors[sensor].symbol.span));
+        if let Some(sensor) = found {
+            let declared = self.program.sensors[sensor].symbol.span;
+            self.read.insert(declared);
+            self.refers(name.span, declared);
+        }
         found.filter(|sensor| !self.poison.sensors.contains(sensor))
     }
 

@@ -19,15 +19,19 @@ struct Parts<'a> {
     modes: Vec<&'a ast::Mode>,
 }
 
-/// Replaces what has the same name, or adds.
-fn put<'a, T>(parts: &mut Vec<&'a T>, places: &mut HashMap<&'a str, usize>, name: &'a str, part: &'a T) {
-    match places.get(name) {
-        Some(&place) => parts[place] = part,
-        None => {
-            places.insert(name, parts.len());
-            parts.push(part);
-        }
+/// Replaces what has the same name, and answers it, or adds.
+fn put<'a, T>(
+    parts: &mut Vec<&'a T>,
+    places: &mut HashMap<&'a str, usize>,
+    name: &'a str,
+    part: &'a T,
+) -> Option<&'a T> {
+    if let Some(&place) = places.get(name) {
+        return Some(std::mem::replace(&mut parts[place], part));
     }
+    places.insert(name, parts.len());
+    parts.push(part);
+    None
 }
 
 pub(super) fn sense_name(sense: &ast::Sense) -> &ast::Name {
@@ -76,7 +80,7 @@ impl<'a> Lower<'a> {
             .modes
             .iter()
             .enumerate()
-            .map(|(index, mode)| (mode.name.text.as_str(), Id::new(index as u32)))
+            .map(|(index, mode)| (mode.name.text.as_str(), (Id::new(index as u32), mode.name.span)))
             .collect();
         let own =
             |mode: &ast::Mode| mode.span.file == tree.span.file && tree.span.range().contains(&mode.span.range().start);
@@ -132,17 +136,20 @@ impl<'a> Lower<'a> {
                     ast::DiagramItem::Sense(sense) => {
                         let name = sense_name(sense);
                         if claim(&mut seen.0, name, "sensed network", &mut self.diagnostics) {
-                            put(&mut parts.senses, &mut senses, &name.text, sense);
+                            let replaced = put(&mut parts.senses, &mut senses, &name.text, sense);
+                            self.replaces(name, replaced.map(sense_name));
                         }
                     }
                     ast::DiagramItem::Flag(flag) => {
                         if claim(&mut seen.1, &flag.name, "flag", &mut self.diagnostics) {
-                            put(&mut parts.flags, &mut flags, &flag.name.text, flag);
+                            let replaced = put(&mut parts.flags, &mut flags, &flag.name.text, flag);
+                            self.replaces(&flag.name, replaced.map(|flag| &flag.name));
                         }
                     }
                     ast::DiagramItem::Mode(mode) => {
                         if claim(&mut seen.2, &mode.name, "mode", &mut self.diagnostics) {
-                            put(&mut parts.modes, &mut modes, &mode.name.text, mode);
+                            let replaced = put(&mut parts.modes, &mut modes, &mode.name.text, mode);
+                            self.replaces(&mode.name, replaced.map(|mode| &mode.name));
                         }
                     }
                     ast::DiagramItem::Error(_) => {}
@@ -151,6 +158,13 @@ impl<'a> Lower<'a> {
             parts.entry = entry.or(parts.entry);
         }
         parts
+    }
+
+    /// Notes that a part of a diagram stands in the place of one that is taken over.
+    fn replaces(&mut self, name: &ast::Name, replaced: Option<&ast::Name>) {
+        if let Some(replaced) = replaced {
+            self.refers(name.span, replaced.span);
+        }
     }
 
     fn senses(&mut self, trees: &[&'a ast::Sense], scene: &mut Scene) -> Vec<ir::Sense> {
@@ -219,7 +233,8 @@ impl<'a> Lower<'a> {
         span: Span,
         what: &str,
     ) -> Option<Vec<&'t ast::Argument>> {
-        let parameters: Vec<_> = parameters.map(|symbol| symbol.name.as_str()).collect();
+        let symbols: Vec<_> = parameters.collect();
+        let parameters: Vec<_> = symbols.iter().map(|symbol| symbol.name.as_str()).collect();
         let mut placed: Vec<Option<&ast::Argument>> = vec![None; parameters.len()];
         let mut sound = true;
         for (index, argument) in arguments.iter().enumerate() {
@@ -227,7 +242,9 @@ impl<'a> Lower<'a> {
                 None => Some(index),
                 Some(name) => {
                     let place = parameters.iter().position(|parameter| *parameter == name.text);
-                    if place.is_none() {
+                    if let Some(place) = place {
+                        self.refers(name.span, symbols[place].span);
+                    } else {
                         let known = parameters.iter().copied();
                         let place = if what == "network" { "input" } else { "parameter" };
                         self.report(self.unknown(name, &format!("{place} of this {what}"), known));

@@ -186,7 +186,10 @@ impl Lower<'_> {
                 Some(input) if inputs.contains(&(input as u32)) => {
                     self.report(super::invalid(name.span, format!("`{}` is named twice", name.text)));
                 }
-                Some(input) => inputs.push(input as u32),
+                Some(input) => {
+                    self.refers(name.span, network.inputs[input].symbol.span);
+                    inputs.push(input as u32);
+                }
                 None => {
                     let known = network.inputs.iter().map(|input| input.symbol.name.as_str());
                     self.report(self.unknown(name, "input of this network", known));

@@ -47,9 +47,21 @@ pub struct Unit {
     pub faults: Vec<Span>,
 }
 
+/// What lowering gives.
+#[derive(Debug)]
+pub struct Lowered {
+    /// What the files declare.
+    pub program: Program,
+    /// What was wrong, or is not used.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Every name that was understood, with the name where what it means is declared, sorted. A declaration that replaces
+    /// another one, or keeps its promise, names it too; an import names the start of its file.
+    pub uses: Vec<(Span, Span)>,
+}
+
 /// Lowers all files of a compilation together. Total: what is broken is reported and left out, or stands in the program
 /// as poison. Linear in the size of the files.
-pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
+pub fn lower(units: &[Unit], sources: &Sources) -> Lowered {
     let mut diagnostics = Vec::new();
     let scopes = Scopes::collect(units, &mut diagnostics);
     let mut lower = Lower {
@@ -60,6 +72,8 @@ pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
         program: Program::default(),
         poison: Poison::default(),
         read: HashSet::new(),
+        uses: Vec::new(),
+        within: Span::default(),
         comparisons: Cell::new(MOST_COMPARISONS),
         diagnostics,
     };
@@ -71,7 +85,12 @@ pub fn lower(units: &[Unit], sources: &Sources) -> (Program, Vec<Diagnostic>) {
     lower.run(Phase::Scenarios);
     lower.unused_imports();
     lower.unused();
-    (lower.program, lower.diagnostics)
+    lower
+        .uses
+        .extend(units.iter().flat_map(|unit| &unit.imports).map(|import| (import.span, Span::new(import.file, 0, 0))));
+    lower.uses.sort_unstable();
+    lower.uses.dedup();
+    Lowered { program: lower.program, diagnostics: lower.diagnostics, uses: lower.uses }
 }
 
 /// The most names that are compared for suggestions in one compilation, so that its cost stays linear.
@@ -100,6 +119,10 @@ struct Lower<'a> {
     poison: Poison,
     /// The names of the declarations that something reads.
     read: HashSet<Span>,
+    /// See [`Lowered::uses`].
+    uses: Vec<(Span, Span)>,
+    /// The declaration that is being lowered.
+    within: Span,
     /// How many more names may be compared for a suggestion.
     comparisons: Cell<usize>,
     diagnostics: Vec<Diagnostic>,
@@ -124,6 +147,7 @@ impl<'a> Lower<'a> {
         let units = self.units;
         for unit in units {
             for item in &unit.tree.items {
+                self.within = item.span();
                 match (phase, item) {
                     (Phase::Variables, ast::Item::Variable(variable)) => self.variable(variable),
                     (Phase::Networks, ast::Item::Network(network)) => self.network(network),
@@ -149,6 +173,15 @@ impl<'a> Lower<'a> {
         let is_unknown = diagnostic.rule == &diag::rules::UNKNOWN_NAME;
         if !is_unknown || !self.unparsed.explains(diagnostic.span()) {
             self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Notes that a name means what is declared elsewhere. What a declaration takes over from another is lowered with it
+    /// once more; there it means what it means in the other.
+    fn refers(&mut self, name: Span, to: Span) {
+        let within = self.within;
+        if name.file == within.file && within.start <= name.start && name.end <= within.end {
+            self.uses.push((name, to));
         }
     }
 

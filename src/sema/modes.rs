@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use super::conditions::Scene;
 use super::quantities::{empty_range, mismatch};
 use super::{Lower, given, invalid, named, not_supported, symbol};
-use crate::base::{Exact, Id, Unit};
+use crate::base::{Exact, Id, Span, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
 use crate::syntax::ast;
 
-/// The modes of a diagram by name.
-pub(super) type Modes<'t> = HashMap<&'t str, Id<ir::Mode>>;
+/// The modes of a diagram by name, with the place of each name.
+pub(super) type Modes<'t> = HashMap<&'t str, (Id<ir::Mode>, Span)>;
 
 impl Lower<'_> {
     pub(super) fn mode(
@@ -40,7 +40,7 @@ impl Lower<'_> {
         };
         mode.incomplete |= mode.otherwise.is_none() && tree.otherwise.is_some();
         if let (Some(otherwise), Some(name)) = (mode.otherwise, &tree.otherwise)
-            && modes.get(tree.name.text.as_str()) == Some(&otherwise)
+            && modes.get(tree.name.text.as_str()).is_some_and(|own| own.0 == otherwise)
         {
             let diagnostic = invalid(name.span, format!("`{}` would move to itself", tree.name.text));
             self.report(diagnostic.help("name a mode that can do without the sensor"));
@@ -68,7 +68,7 @@ impl Lower<'_> {
         let reports = mode.actions.iter().any(|call| self.program.actions[call.action].reports_done);
         // A broken call was reported; it may be the one that would have reported completion.
         scene.reports_done = Some(reports || mode.actions.len() < calls);
-        let own = modes.get(tree.name.text.as_str()).copied();
+        let own = modes.get(tree.name.text.as_str()).map(|own| own.0);
         for item in &tree.items {
             if let ast::ModeItem::Transition(transition) = item {
                 match self.transition(transition, own, modes, scene) {
@@ -102,11 +102,12 @@ impl Lower<'_> {
 
     /// The mode of that name; reports one that does not exist.
     pub(super) fn mode_named(&mut self, name: &ast::Name, modes: &Modes<'_>) -> Option<Id<ir::Mode>> {
-        let found = modes.get(name.text.as_str()).copied();
-        if found.is_none() {
+        let Some(&(found, place)) = modes.get(name.text.as_str()) else {
             self.report(self.unknown(name, "mode", modes.keys().copied()));
-        }
-        found
+            return None;
+        };
+        self.refers(name.span, place);
+        Some(found)
     }
 
     fn call(&mut self, tree: &ast::Call, actions: &[Id<ir::Action>], scene: &Scene) -> Option<ir::Call> {
@@ -121,6 +122,7 @@ impl Lower<'_> {
             self.report(diagnostic);
             return None;
         };
+        self.refers(name.span, self.program.actions[action].symbol.span);
         if self.poison.actions.contains(&action) {
             return None;
         }
@@ -183,9 +185,14 @@ impl Lower<'_> {
                 return None;
             }
         };
-        self.read.extend(scene.sense_places.get(sense as usize));
-        let network = scene.sense_networks.get(sense as usize)?;
-        let found = self.program.networks[*network].outputs[output as usize].unit.dimension;
+        let place = *scene.sense_places.get(sense as usize)?;
+        self.read.insert(place);
+        if let Some(of) = of {
+            self.refers(of.span, place);
+        }
+        let declared = &self.program.networks[*scene.sense_networks.get(sense as usize)?].outputs[output as usize];
+        let (declared, found) = (declared.symbol.span, declared.unit.dimension);
+        self.refers(name.span, declared);
         if found != unit.dimension {
             self.report(mismatch(path.span, found, unit.dimension));
             return None;

@@ -77,6 +77,7 @@ impl Lower<'_> {
                 self.report(self.unknown(name, "output of this network", known));
                 continue;
             };
+            self.refers(name.span, network.outputs[output].symbol.span);
             let value = self.consequent(consequent, network, &network.outputs[output]);
             if let (Some(consequent), Some(cases), Some(_), Some(weight)) = (value, &cases, whole, weight) {
                 let (antecedent, cases) = (antecedent.clone(), cases.clone());
@@ -126,6 +127,7 @@ impl Lower<'_> {
                     return None;
                 };
                 self.read.insert(output.terms[term].symbol.span);
+                self.refers(name.span, output.terms[term].symbol.span);
                 Some(Consequent::Term(term as u32))
             }
             ast::ConsequentValue::Linear(expr) if !output.terms.is_empty() => {

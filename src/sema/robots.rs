@@ -305,6 +305,7 @@ impl Lower<'_> {
                     return None;
                 };
                 let found = parameters.get(index)?.unit.dimension;
+                self.refers(name.span, parameters.get(index)?.symbol.span);
                 if found != wanted {
                     self.report(mismatch(name.span, found, wanted));
                     return None;
@@ -388,10 +389,15 @@ impl Lower<'_> {
         let promised = &self.program.interfaces[interface];
         let actions = &self.program.actions;
         let sensors = &self.program.sensors;
-        let mut broken = Vec::new();
+        let (mut broken, mut names) = (Vec::new(), Vec::new());
         for &action in &promised.actions {
             let wanted = &actions[action];
             let kept = named(&wanted.symbol.name, &members.actions, |id| &actions[id].symbol);
+            if let Some(kept) = kept.map(|id| &actions[id]) {
+                let parameters = kept.parameters.iter().zip(&wanted.parameters);
+                names.push((kept.symbol.span, wanted.symbol.span));
+                names.extend(parameters.map(|(kept, wanted)| (kept.symbol.span, wanted.symbol.span)));
+            }
             let fits = kept.is_some_and(|id| {
                 let kept = &actions[id];
                 self.poison.actions.contains(&id)
@@ -410,6 +416,7 @@ impl Lower<'_> {
         for &sensor in &promised.sensors {
             let wanted = &sensors[sensor];
             let kept = named(&wanted.symbol.name, &members.sensors, |id| &sensors[id].symbol);
+            names.extend(kept.map(|id| (sensors[id].symbol.span, wanted.symbol.span)));
             let poisoned = |id| self.poison.sensors.contains(&id);
             let fits = |id: Id<ir::Sensor>| {
                 let kept = &sensors[id];
@@ -437,6 +444,9 @@ impl Lower<'_> {
             })
             .collect();
         self.diagnostics.extend(diagnostics);
+        for (kept, promised) in names {
+            self.refers(kept, promised);
+        }
     }
 }
 

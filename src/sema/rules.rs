@@ -65,13 +65,15 @@ impl Lower<'_> {
 
     fn terms(&mut self, names: &[ast::Name], network: &Network, input: u32) -> Option<Vec<u32>> {
         let variable = &self.program.variables[network.inputs[input as usize].variable];
-        let mut terms = Vec::new();
+        let (mut terms, mut meant) = (Vec::new(), Vec::new());
         let mut broken = Vec::new();
         let mut sound = true;
         for name in names {
             match super::position(&name.text, variable.terms.iter().map(|term| &term.symbol)) {
                 Some(term) => {
-                    self.read.insert(variable.terms[term].symbol.span);
+                    let declared = variable.terms[term].symbol.span;
+                    self.read.insert(declared);
+                    meant.push((name.span, declared));
                     terms.push(term as u32);
                 }
                 // It may be the term that could not be parsed.
@@ -86,6 +88,9 @@ impl Lower<'_> {
             }
         }
         self.diagnostics.extend(broken);
+        for (name, declared) in meant {
+            self.refers(name, declared);
+        }
         sound.then_some(terms)
     }
 
@@ -143,8 +148,9 @@ impl Lower<'_> {
             && let [name] = path.segments.as_slice()
         {
             let input = super::position(&name.text, network.inputs.iter().map(|input| &input.symbol));
-            if input.is_none() {
-                self.report(self.unknown(name, "input of this network", known));
+            match input {
+                Some(input) => self.refers(name.span, network.inputs[input].symbol.span),
+                None => self.report(self.unknown(name, "input of this network", known)),
             }
             return input.map(|input| input as u32);
         }

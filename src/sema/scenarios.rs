@@ -253,7 +253,8 @@ impl<'a> Lower<'a> {
     ) -> Vec<ir::Expectation> {
         let sensors = self.program.robots[robot].sensors.clone();
         let scene = self.watched_scene(diagram, sensors);
-        let modes: HashMap<&str, _> = scene.modes.iter().map(|(name, &id)| (name.as_str(), id)).collect();
+        let place = |id: Id<ir::Mode>| (id, scene.mode_places[id.index()]);
+        let modes: Modes<'_> = scene.modes.iter().map(|(name, &id)| (name.as_str(), place(id))).collect();
         trees.iter().filter_map(|tree| self.expectation(tree, &scene, &modes)).collect()
     }
 

@@ -215,8 +215,10 @@ impl<'a> Lower<'a> {
     fn look_up(&mut self, name: &ast::Name, what: &str) -> Option<Declared<'a>> {
         let scope = self.scopes.files.get(&name.span.file)?;
         if let Some(entry) = scope.get(name.text.as_str()) {
-            self.scopes.used.insert((name.span.file, entry.span.file));
-            return Some(entry.declared);
+            let Entry { declared, span } = *entry;
+            self.scopes.used.insert((name.span.file, span.file));
+            self.refers(name.span, span);
+            return Some(declared);
         }
         if self.lacks_imports(name.span.file) {
             return None;

@@ -113,14 +113,15 @@ impl Lower<'_> {
     }
 
     fn named_part<'t>(&mut self, name: &'t ast::Name, terms: &Terms<'t>, built: &mut Built<'t>) -> Option<u32> {
-        if let Some(known) = built.known.get(name.text.as_str()) {
-            return Some(*known);
-        }
         let Some(term) = terms.trees.get(name.text.as_str()) else {
             let known: Vec<_> = terms.trees.keys().copied().collect();
             self.report(self.unknown(name, "term of this variable", known));
             return None;
         };
+        self.refers(name.span, term.name.span);
+        if let Some(known) = built.known.get(name.text.as_str()) {
+            return Some(*known);
+        }
         if let Some(start) = built.path.iter().position(|above| above.text == name.text) {
             // Each term of a circle leads to it; the first one in the text tells.
             let circle = &built.path[start..];

@@ -44,9 +44,9 @@ fn only_lowered(fusion: &str, modes: &str) -> Analysis {
     let import = sema::Import { file: n, span: Span::new(b, 0, 8) };
     let unit = |file, tree, imports| sema::Unit { file, tree, imports, faults: Vec::new() };
     let units = vec![unit(b, modes, vec![import]), unit(n, fusion, Vec::new())];
-    let (program, lowering) = sema::lower(&units, &sources);
+    let sema::Lowered { program, diagnostics: lowering, uses } = sema::lower(&units, &sources);
     findings.extend(lowering);
-    Analysis { roots: vec![b], sources, units, program, findings, proved: 0, counterexamples: Vec::new() }
+    Analysis { roots: vec![b], sources, units, program, uses, findings, proved: 0, counterexamples: Vec::new() }
 }
 
 /// What the interpreter does in each plan of a case.

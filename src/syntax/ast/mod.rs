@@ -79,6 +79,26 @@ pub enum Item {
     Error(Span),
 }
 
+impl Item {
+    /// All of it.
+    pub fn span(&self) -> Span {
+        match self {
+            Self::Import(item) => item.span,
+            Self::Variable(item) => item.span,
+            Self::Network(item) => item.span,
+            Self::Interface(item) => item.span,
+            Self::Robot(item) => item.span,
+            Self::Diagram(item) => item.span,
+            Self::Arbiter(item) => item.span,
+            Self::Team(item) => item.span,
+            Self::World(item) => item.span,
+            Self::Scenario(item) => item.span,
+            Self::Property(item) => item.span,
+            Self::Error(span) => *span,
+        }
+    }
+}
+
 /// An identifier.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Name {

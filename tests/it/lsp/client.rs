@@ -163,6 +163,21 @@ impl Client {
         &text[lines.byte(text, range.start)..lines.byte(text, range.end)]
     }
 
+    /// The parameters of a request about the place right behind the first occurrence of `before`, in front of `after`.
+    pub fn place(&self, name: &str, before: &str, after: &str) -> Value {
+        let text = self.text(name);
+        let byte = text.find(&format!("{before}{after}")).unwrap() + before.len();
+        json!({ "textDocument": { "uri": uri(name) }, "position": Lines::new(text).position(text, byte) })
+    }
+
+    /// A place as file, line and column from 1, for what is open or in the library.
+    pub fn shown(location: &Value) -> String {
+        let start = &location["range"]["start"];
+        let (line, column) = (start["line"].as_u64().unwrap() + 1, start["character"].as_u64().unwrap() + 1);
+        let file = location["uri"].as_str().unwrap().trim_start_matches("file:///work/");
+        format!("{file}:{line}:{column}")
+    }
+
     /// Says goodbye; whether the server took it for an orderly one.
     pub fn leave(mut self) -> bool {
         assert_eq!(self.request("shutdown", Value::Null), Value::Null);

@@ -1,6 +1,7 @@
 //! The language server, driven through its protocol.
 
 mod client;
+mod names;
 mod stdio;
 
 use serde_json::{Value, json};
