@@ -63,6 +63,14 @@ impl Program {
             Platform::Interface(interface) => &self.interfaces[interface].sensors,
         }
     }
+
+    /// The actions that a diagram on a robot or an interface can call.
+    pub fn actions_of(&self, platform: Platform) -> &[Id<Action>] {
+        match platform {
+            Platform::Robot(robot) => &self.robots[robot].actions,
+            Platform::Interface(interface) => &self.interfaces[interface].actions,
+        }
+    }
 }
 
 /// The name and place of a declaration.

@@ -1,9 +1,10 @@
 //! The language server: what an editor asks, answered from analyses of the files as they stand in the editor. One file
 //! a feature.
 //!
-//! Imports: analysis, base, diag, driver, ir, membership
+//! Imports: analysis, base, diag, driver, ir, membership, sema, syntax
 //! Crates: lsp-server, lsp-types
 
+mod completion;
 mod definition;
 mod diagnostics;
 mod documents;
@@ -14,8 +15,10 @@ mod hover;
 mod known;
 mod lines;
 mod names;
+mod place;
 mod rename;
 mod server;
+mod signature;
 
 pub use lines::Lines;
 pub use server::{serve, serve_stdio};

@@ -8,17 +8,17 @@ use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestI
 use lsp_types::notification::{self as notifications, Notification as _};
 use lsp_types::request::{self as requests, Request as _};
 use lsp_types::{
-    CancelParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
-    DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams, HoverProviderCapability,
-    InitializeParams, InitializeResult, NumberOrString, OneOf, PrepareRenameResponse, PublishDiagnosticsParams,
-    RenameOptions, RenameParams, ServerCapabilities, ServerInfo, TextDocumentPositionParams,
+    CancelParams, CompletionOptions, CompletionResponse, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams,
+    HoverProviderCapability, InitializeParams, InitializeResult, NumberOrString, OneOf, PrepareRenameResponse,
+    PublishDiagnosticsParams, RenameOptions, RenameParams, ServerCapabilities, ServerInfo, TextDocumentPositionParams,
     TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions, WorkspaceEdit,
 };
 
 use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
-use super::{Desk, definition, diagnostics, formatting, hover, rename};
+use super::{Desk, completion, definition, diagnostics, formatting, hover, rename};
 use crate::base::{FileId, Span};
 use crate::driver::{self, Options};
 
@@ -109,6 +109,10 @@ fn capabilities() -> ServerCapabilities {
             prepare_provider: Some(true),
             work_done_progress_options: WorkDoneProgressOptions::default(),
         })),
+        completion_provider: Some(CompletionOptions {
+            trigger_characters: Some([".", ":", "(", ",", "{", ">", " "].map(str::to_owned).to_vec()),
+            ..CompletionOptions::default()
+        }),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         ..ServerCapabilities::default()
     }
@@ -191,6 +195,12 @@ impl Server<'_> {
                 reply::<requests::PrepareRenameRequest>(request, |of| self.prepare_rename(&of))
             }
             requests::Rename::METHOD => reply::<requests::Rename>(request, |of| self.rename(&of)),
+            requests::Completion::METHOD => reply::<requests::Completion>(request, |of| {
+                let found = self.at(&of.text_document_position);
+                let beside = || self.beside(&of.text_document_position.text_document.uri);
+                let items = found.map(|(known, byte)| completion::completion(&known, ROOT, byte, &beside));
+                Ok(items.map(CompletionResponse::Array))
+            }),
             requests::HoverRequest::METHOD => reply::<requests::HoverRequest>(request, |of| {
                 let found = self.at(&of.text_document_position_params);
                 Ok(found.and_then(|(known, byte)| hover::hover(&known, ROOT, byte)))
@@ -346,6 +356,19 @@ impl Server<'_> {
         let on_disk = self.folder.root().map(|root| self.desk.files(root)).unwrap_or_default();
         let on_disk = on_disk.into_iter().map(|path| self.folder.relative(path));
         self.documents.open.keys().cloned().chain(on_disk).collect()
+    }
+
+    /// The names by which a file can import those beside it, and those in the folders there.
+    fn beside(&self, uri: &Uri) -> Vec<String> {
+        let path = self.folder.path(uri);
+        let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let inside = |other: &String| {
+            let rest =
+                if folder.is_empty() { Some(other.as_str()) } else { other.strip_prefix(folder)?.strip_prefix('/') };
+            let stem = rest?.rsplit_once('.')?.0;
+            (*other != path).then(|| stem.replace('/', "."))
+        };
+        self.all_paths().iter().filter_map(inside).collect()
     }
 
     fn prepare_rename(&mut self, of: &TextDocumentPositionParams) -> Result<Option<PrepareRenameResponse>, Refusal> {

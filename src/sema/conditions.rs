@@ -8,6 +8,16 @@ use crate::diag::{self, Diagnostic};
 use crate::ir::{self, Comparison, Expr, Op, Type};
 use crate::syntax::ast;
 
+/// What conditions can look at beside what is named: each function with what it takes.
+pub const FUNCTIONS: &[(&str, &[&str])] = &[
+    ("failed", &["sensor"]),
+    ("rising", &["condition"]),
+    ("falling", &["condition"]),
+    ("held", &["condition", "time"]),
+    ("latched", &["condition"]),
+    ("count", &["condition"]),
+];
+
 /// What a condition can name.
 #[derive(Default)]
 pub(super) struct Scene {
@@ -279,12 +289,10 @@ impl Lower<'_> {
 
     /// `failed`, `rising`, `falling`, `held`, `latched` and `count`.
     fn history(&mut self, call: &ast::Call, scene: &Scene) -> Id<Expr> {
-        const KNOWN: [(&str, usize); 6] =
-            [("failed", 1), ("rising", 1), ("falling", 1), ("held", 2), ("latched", 1), ("count", 1)];
         let function = call.path.segments.first().map_or("", |name| name.text.as_str());
-        let Some(&(_, count)) = KNOWN.iter().find(|(known, _)| *known == function && call.path.segments.len() == 1)
-        else {
-            let help = diag::did_you_mean(function, KNOWN.iter().map(|(known, _)| *known));
+        let known = FUNCTIONS.iter().find(|(known, _)| *known == function && call.path.segments.len() == 1);
+        let Some(count) = known.map(|(_, parameters)| parameters.len()) else {
+            let help = diag::did_you_mean(function, FUNCTIONS.iter().map(|(known, _)| *known));
             let message = format!("conditions have no function `{function}`");
             self.report(Diagnostic::new(&diag::rules::UNKNOWN_NAME, call.path.span, message).help_maybe(help));
             return self.poisoned(call.span);

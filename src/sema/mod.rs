@@ -22,7 +22,9 @@ mod unparsed;
 mod unused;
 mod worlds;
 
+pub use conditions::FUNCTIONS;
 pub use scope::Import;
+pub use shapes::shapes;
 
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};

@@ -40,6 +40,11 @@ const SHAPES: &[(&str, &str, &[Parameter])] = &[
     ("cosine", "(center, width)", &[At, Width]),
 ];
 
+/// The shapes with names, each with its parameters as they are written: `ramp`, `(zero_at, one_at)`.
+pub fn shapes() -> impl Iterator<Item = (&'static str, &'static str)> {
+    SHAPES.iter().map(|(name, form, _)| (*name, *form)).chain([("points", "((x, degree), ...)")])
+}
+
 /// A term is built from at most so many parts.
 const MOST_PARTS: usize = 256;
 

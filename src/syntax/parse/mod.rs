@@ -27,6 +27,7 @@ pub(super) use grammar::{Pair, Rule};
 use layout::Layout;
 use recovery::Recovery;
 use scan::Scan;
+pub use scan::{Kind as TokenKind, Token};
 use tree::Tree;
 
 /// The words that cannot be names.
@@ -81,6 +82,11 @@ pub const KEYWORDS: &[&str] = &[
     "variable",
     "world",
 ];
+
+/// The tokens of a text of either kind, comments left out. Total, and linear in the text.
+pub fn tokens(text: &str) -> Vec<Token> {
+    Scan::new(text).tokens
+}
 
 /// Whether a text is a name, and no keyword.
 pub fn is_name(text: &str) -> bool {

@@ -27,8 +27,11 @@ pub enum Kind {
 /// A token and where it stands.
 #[derive(Debug, Clone, Copy)]
 pub struct Token {
+    /// What it is.
     pub kind: Kind,
+    /// Its first byte.
     pub start: u32,
+    /// One past its last byte.
     pub end: u32,
     /// Nothing but space stands in front of it on its line.
     pub first: bool,

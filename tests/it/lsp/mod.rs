@@ -1,6 +1,7 @@
 //! The language server, driven through its protocol.
 
 mod client;
+mod completion;
 mod names;
 mod stdio;
 

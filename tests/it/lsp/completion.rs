@@ -1,0 +1,183 @@
+//! What can be written, by place, in texts that are half written.
+
+use serde_json::Value;
+
+use super::client::Client;
+
+/// What is offered at the `|` of a text; the text is whole but for what is being written there.
+fn offered(client: &mut Client, name: &str, text: &str) -> Vec<String> {
+    let (before, after) = text.split_once('|').unwrap();
+    client.open(name, &format!("{before}{after}"));
+    let place = client.place(name, before, "");
+    let items = client.request("textDocument/completion", place);
+    items.as_array().unwrap().iter().map(|item| item["label"].as_str().unwrap().to_owned()).collect()
+}
+
+const NETWORK: &str = "\
+variable contact: N in 0 .. 400 {
+    low  = ramp(80, 20)
+    high = ramp(20, 80)
+}
+variable slope: deg in -20 .. 20 {
+    down = ramp(0, -10)
+    up   = ramp(0, 10)
+}
+network bump(force: contact, pitch: slope) {
+    event bumped {
+        contributor (high, _)
+        detractor
+            (low, {down, up})
+            ROW
+    }
+    event tilted over (pitch) {
+        contributor (up)
+        TILT
+    }
+}
+VARIABLE
+";
+
+fn in_network(client: &mut Client, place: &str, written: &str) -> Vec<String> {
+    let text = ["ROW", "TILT", "VARIABLE"]
+        .iter()
+        .fold(NETWORK.to_owned(), |text, known| text.replace(known, if *known == place { written } else { "" }));
+    offered(client, "bump.fsfn", &text)
+}
+
+#[test]
+fn a_cell_takes_the_terms_of_its_variable() {
+    let mut client = Client::new(&[]);
+    let mut row = |written: &str| in_network(&mut client, "ROW", written);
+    assert_eq!(row("(|"), ["_", "high", "low"]);
+    assert_eq!(row("(low, |"), ["_", "down", "up"]);
+    assert_eq!(row("(low, {down, u|})"), ["_", "down", "up"]);
+    assert_eq!(row("({low, high}, d|"), ["_", "down", "up"]);
+    assert_eq!(row("rule |"), ["force", "not", "pitch"]);
+    assert_eq!(row("rule force |"), ["is"]);
+    assert_eq!(row("rule force is |"), ["any of {", "high", "low"]);
+    assert_eq!(row("rule force is low and (pitch is d|"), ["any of {", "down", "up"]);
+    assert_eq!(row("rule force is low and |"), ["force", "not", "pitch"]);
+    assert_eq!(row("|"), ["contributor", "detractor", "rule"]);
+    assert_eq!(in_network(&mut client, "TILT", "detractor (|"), ["_", "down", "up"]);
+    assert!(client.leave());
+}
+
+#[test]
+fn variables_and_networks_are_written_from_what_there_is() {
+    let mut client = Client::new(&[]);
+    let mut there = |written: &str| in_network(&mut client, "VARIABLE", written);
+    let shapes = there("variable v: m in 0 .. 1 { a = |");
+    assert!(
+        ["gaussian", "not", "points", "ramp", "very"].iter().all(|shape| shapes.contains(&(*shape).to_owned())),
+        "{shapes:?}"
+    );
+    assert!(there("variable v: |").contains(&"rpm".to_owned()));
+    assert_eq!(there("network n(a: |"), ["contact", "slope"]);
+    assert_eq!(there("|"), ["import", "network", "variable"]);
+    assert_eq!(there("// network n(a: |"), <[&str; 0]>::default());
+    assert!(client.leave());
+}
+
+const WANDER: &str = "\
+import bump
+import std.robots.j5
+behavior wander on j5 {
+    sense bump(force: contact_force, pitch: contact_force)
+    flag hard = contact_force > 100 N
+    entry go
+    BODY
+    mode go {
+        drive(26 cm/s)
+        MODE
+        1: bumped -> back
+    }
+    mode back requires contact_force else go {
+        drive(-20 cm/s)
+        1: after 2 s -> go
+    }
+}
+END
+";
+
+fn in_behavior(client: &mut Client, place: &str, written: &str) -> Vec<String> {
+    let network = ["ROW", "TILT", "VARIABLE"].iter().fold(NETWORK.to_owned(), |text, known| text.replace(known, ""));
+    client.open("bump.fsfn", &network.replace("deg in", "N in"));
+    let text = ["BODY", "MODE", "END"]
+        .iter()
+        .fold(WANDER.to_owned(), |text, known| text.replace(known, if *known == place { written } else { "" }));
+    offered(client, "wander.msd", &text)
+}
+
+#[test]
+fn modes_conditions_and_commands_are_offered_where_they_belong() {
+    let mut client = Client::new(&[("lib/turns.msd", "robot other {}"), ("bump.fsfn", "")]);
+    let mut mode = |written: &str| in_behavior(&mut client, "MODE", written);
+    assert_eq!(mode("2: hard -> |"), ["again", "back", "go"]);
+    assert_eq!(mode("2: hard -> ba|"), ["again", "back", "go"]);
+    assert_eq!(mode("2: failed(|"), ["contact_force", "left_wheel_acceleration", "right_wheel_acceleration"]);
+    assert_eq!(mode("2: bump.|"), ["bumped", "tilted"]);
+    for half in ["2: |", "2: not |", "2: hard and |", "2: held(b|", "2: (hard or t|", "2: hard and (not t|"] {
+        let conditions = mode(half);
+        let wanted = ["after", "bumped", "contact_force", "failed", "hard", "tilted"];
+        assert!(wanted.iter().all(|word| conditions.contains(&(*word).to_owned())), "{half}: {conditions:?}");
+        assert!(!conditions.contains(&"go".to_owned()), "{half}: a mode is no condition of a behavior");
+    }
+    assert!(mode("2: contact_force > 3 |").contains(&"kN".to_owned()));
+    let commands = mode("|");
+    assert!(
+        ["arc", "drive", "halt", "on", "turn"].iter().all(|word| commands.contains(&(*word).to_owned())),
+        "{commands:?}"
+    );
+    assert_eq!(mode("arc(|"), ["radius: ", "random", "speed: "]);
+    assert!(mode("arc(2 |").contains(&"cm".to_owned()));
+    let mut body = |written: &str| in_behavior(&mut client, "BODY", written);
+    assert_eq!(body("|"), ["entry", "final", "flag", "mode", "sense"]);
+    assert_eq!(body("sense |"), ["bump"]);
+    assert_eq!(body("mode stop requires |"), ["contact_force", "left_wheel_acceleration", "right_wheel_acceleration"]);
+    assert_eq!(body("mode stop requires contact_force else |"), ["back", "go"]);
+    assert!(body("flag f = |").contains(&"bumped".to_owned()));
+    assert!(body("sense bump(|").contains(&"force: ".to_owned()));
+    assert!(client.leave());
+}
+
+#[test]
+fn what_follows_a_behavior_speaks_of_it() {
+    let mut client = Client::new(&[("lib/turns.msd", "robot other {}"), ("a.msd", "")]);
+    let mut end = |written: &str| in_behavior(&mut client, "END", written);
+    assert_eq!(end("behavior b on |"), ["j5"]);
+    assert_eq!(end("behavior b extends |"), ["wander"]);
+    assert_eq!(end("scenario s runs |"), ["wander"]);
+    assert_eq!(end("scenario s runs wander { expect modes go, |"), ["back", "go"]);
+    assert!(end("scenario s runs wander { expect never |").contains(&"back".to_owned()));
+    assert_eq!(
+        end("scenario s runs wander { fault |"),
+        ["contact_force", "left_wheel_acceleration", "right_wheel_acceleration"]
+    );
+    assert!(end("property p: never |").contains(&"go".to_owned()));
+    assert_eq!(end("import |"), ["a", "bump", "lib", "std"]);
+    assert_eq!(end("import lib.|"), ["turns"]);
+    assert_eq!(end("import std.robots.|"), ["j5"]);
+    assert!(client.leave());
+}
+
+#[test]
+fn something_is_answered_at_every_place_of_every_example() {
+    let mut client = Client::new(&[]);
+    for path in crate::support::files_below("examples/j5", &["msd", "fsfn"])
+        .into_iter()
+        .chain(crate::support::files_below("stdlib", &["msd", "fsfn"]))
+    {
+        let text = std::fs::read_to_string(crate::support::root().join(&path)).unwrap();
+        let name = path.replace('/', "_");
+        client.open(&name, &text);
+        for (line, text) in text.lines().enumerate().step_by(3) {
+            for character in (0..=text.len()).step_by(5) {
+                let place = serde_json::json!({ "textDocument": { "uri": super::client::uri(&name) }, "position": { "line": line, "character": character } });
+                let items: Value = client.request("textDocument/completion", place.clone());
+                assert!(items.is_array());
+                client.request("textDocument/hover", place);
+            }
+        }
+    }
+    assert!(client.leave());
+}
