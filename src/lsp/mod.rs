@@ -19,6 +19,7 @@ mod place;
 mod rename;
 mod server;
 mod signature;
+mod symbols;
 
 pub use lines::Lines;
 pub use server::{serve, serve_stdio};

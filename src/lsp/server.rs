@@ -10,15 +10,16 @@ use lsp_types::request::{self as requests, Request as _};
 use lsp_types::{
     CancelParams, CompletionOptions, CompletionResponse, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams,
-    HoverProviderCapability, InitializeParams, InitializeResult, NumberOrString, OneOf, PrepareRenameResponse,
-    PublishDiagnosticsParams, RenameOptions, RenameParams, ServerCapabilities, ServerInfo, TextDocumentPositionParams,
-    TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions, WorkspaceEdit,
+    DocumentSymbolResponse, HoverProviderCapability, InitializeParams, InitializeResult, NumberOrString, OneOf,
+    PrepareRenameResponse, PublishDiagnosticsParams, RenameOptions, RenameParams, ServerCapabilities, ServerInfo,
+    TextDocumentPositionParams, TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri,
+    WorkDoneProgressOptions, WorkspaceEdit, WorkspaceSymbolResponse,
 };
 
 use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
-use super::{Desk, completion, definition, diagnostics, formatting, hover, rename};
+use super::{Desk, completion, definition, diagnostics, formatting, hover, rename, symbols};
 use crate::base::{FileId, Span};
 use crate::driver::{self, Options};
 
@@ -113,6 +114,8 @@ fn capabilities() -> ServerCapabilities {
             trigger_characters: Some([".", ":", "(", ",", "{", ">", " "].map(str::to_owned).to_vec()),
             ..CompletionOptions::default()
         }),
+        document_symbol_provider: Some(OneOf::Left(true)),
+        workspace_symbol_provider: Some(OneOf::Left(true)),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         ..ServerCapabilities::default()
     }
@@ -200,6 +203,14 @@ impl Server<'_> {
                 let beside = || self.beside(&of.text_document_position.text_document.uri);
                 let items = found.map(|(known, byte)| completion::completion(&known, ROOT, byte, &beside));
                 Ok(items.map(CompletionResponse::Array))
+            }),
+            requests::DocumentSymbolRequest::METHOD => reply::<requests::DocumentSymbolRequest>(request, |of| {
+                let known = self.know(&self.folder.path(&of.text_document.uri), false);
+                Ok(known.map(|known| DocumentSymbolResponse::Nested(symbols::outline(&known, ROOT))))
+            }),
+            requests::WorkspaceSymbolRequest::METHOD => reply::<requests::WorkspaceSymbolRequest>(request, |of| {
+                let found = symbols::search(&self.know_all(), &of.query, &self.folder);
+                Ok(Some(WorkspaceSymbolResponse::Flat(found)))
             }),
             requests::HoverRequest::METHOD => reply::<requests::HoverRequest>(request, |of| {
                 let found = self.at(&of.text_document_position_params);

@@ -2,6 +2,7 @@
 
 mod client;
 mod completion;
+mod features;
 mod names;
 mod stdio;
 

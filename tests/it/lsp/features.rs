@@ -1,0 +1,67 @@
+//! Outlines, colors, fixes, signatures and hints.
+
+use serde_json::{Value, json};
+
+use super::client::{Client, uri};
+
+const FILES: [(&str, &str); 2] = [
+    (
+        "bump.fsfn",
+        "/// Kräfte 🌏.\nvariable contact: N in 0 .. 400 {\n    low  = ramp(80, 20)\n    high = ramp(20, 80) // 🌏 näher\n}\n\
+         network bump(force: contact) {\n    event bumped {\n        contributor (high)\n        detractor (low)\n    }\n}\n",
+    ),
+    (
+        "wander.msd",
+        "import bump\nimport std.robots.j5\nimport std.interfaces.mobile_base\nbehavior wander on j5 {\n    sense bump(contact_force)\n    \
+         flag idle = contact_force > 100 N\n    entry go\n    mode go {\n        drive(-26 cm/s)\n        1: bumped -> back\n    }\n    \
+         mode back {\n        arc(20 cm/s, radius: 1 m)\n        1: after 500 ms -> go\n    }\n}\n",
+    ),
+];
+
+fn desk() -> Client {
+    let mut client = Client::new(&[("other.msd", "import std.robots.j5\nrobot spare {}\n")]);
+    for (name, text) in FILES {
+        client.open(name, text);
+    }
+    client
+}
+
+fn of(name: &str) -> Value {
+    json!({ "textDocument": { "uri": uri(name) } })
+}
+
+fn outline(symbols: &Value, depth: usize) -> String {
+    let one = |symbol: &Value| {
+        let children = symbol.get("children").map_or(String::new(), |children| outline(children, depth + 1));
+        format!("{}{}\n{children}", "  ".repeat(depth), symbol["name"].as_str().unwrap())
+    };
+    symbols.as_array().unwrap().iter().map(one).collect()
+}
+
+#[test]
+fn files_are_outlined_even_half_written() {
+    let mut client = desk();
+    let symbols = client.request("textDocument/documentSymbol", of("bump.fsfn"));
+    assert_eq!(outline(&symbols, 0), "contact\n  low\n  high\nbump\n  bumped\n");
+    assert_eq!(client.slice("bump.fsfn", &symbols[0]["children"][1]["selectionRange"]), "high");
+    assert_eq!(client.slice("bump.fsfn", &symbols[0]["children"][1]["range"]), "high = ramp(20, 80)");
+    client.replace("wander.msd", "1: bumped -> back", "1: bumped ->");
+    let symbols = client.request("textDocument/documentSymbol", of("wander.msd"));
+    assert_eq!(outline(&symbols, 0), "wander\n  idle\n  go\n  back\n");
+    assert!(client.leave());
+}
+
+#[test]
+fn declarations_are_found_by_some_of_their_letters() {
+    let mut client = desk();
+    let mut found = |query: &str| {
+        let found = client.request("workspace/symbol", json!({ "query": query }));
+        let shown =
+            |symbol: &Value| format!("{} {}", symbol["name"].as_str().unwrap(), Client::shown(&symbol["location"]));
+        found.as_array().unwrap().iter().map(shown).collect::<Vec<_>>()
+    };
+    assert_eq!(found("bmp"), ["bump bump.fsfn:6:9", "bumped bump.fsfn:7:11"]);
+    assert_eq!(found("SPARE"), ["spare other.msd:2:7"], "in a file that is not open");
+    assert_eq!(found("drive"), <[&str; 0]>::default(), "not in the library");
+    assert!(client.leave());
+}
