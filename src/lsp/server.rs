@@ -11,15 +11,16 @@ use lsp_types::{
     CancelParams, CompletionOptions, CompletionResponse, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams,
     DocumentSymbolResponse, HoverProviderCapability, InitializeParams, InitializeResult, NumberOrString, OneOf,
-    PrepareRenameResponse, PublishDiagnosticsParams, RenameOptions, RenameParams, ServerCapabilities, ServerInfo,
-    TextDocumentPositionParams, TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri,
-    WorkDoneProgressOptions, WorkspaceEdit, WorkspaceSymbolResponse,
+    PrepareRenameResponse, PublishDiagnosticsParams, RenameOptions, RenameParams, SemanticTokens,
+    SemanticTokensFullOptions, SemanticTokensOptions, SemanticTokensResult, SemanticTokensServerCapabilities,
+    ServerCapabilities, ServerInfo, TextDocumentPositionParams, TextDocumentSyncCapability, TextDocumentSyncKind,
+    TextEdit, Uri, WorkDoneProgressOptions, WorkspaceEdit, WorkspaceSymbolResponse,
 };
 
 use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
-use super::{Desk, completion, definition, diagnostics, formatting, hover, rename, symbols};
+use super::{Desk, colors, completion, definition, diagnostics, formatting, hover, rename, symbols};
 use crate::base::{FileId, Span};
 use crate::driver::{self, Options};
 
@@ -116,6 +117,13 @@ fn capabilities() -> ServerCapabilities {
         }),
         document_symbol_provider: Some(OneOf::Left(true)),
         workspace_symbol_provider: Some(OneOf::Left(true)),
+        semantic_tokens_provider: Some(SemanticTokensServerCapabilities::SemanticTokensOptions(
+            SemanticTokensOptions {
+                legend: colors::legend(),
+                full: Some(SemanticTokensFullOptions::Bool(true)),
+                ..SemanticTokensOptions::default()
+            },
+        )),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         ..ServerCapabilities::default()
     }
@@ -212,6 +220,13 @@ impl Server<'_> {
                 let found = symbols::search(&self.know_all(), &of.query, &self.folder);
                 Ok(Some(WorkspaceSymbolResponse::Flat(found)))
             }),
+            requests::SemanticTokensFullRequest::METHOD => {
+                reply::<requests::SemanticTokensFullRequest>(request, |of| {
+                    let known = self.know(&self.folder.path(&of.text_document.uri), false);
+                    let colors = known.map(|known| colors::colors(&known, ROOT));
+                    Ok(colors.map(|data| SemanticTokensResult::Tokens(SemanticTokens { result_id: None, data })))
+                })
+            }
             requests::HoverRequest::METHOD => reply::<requests::HoverRequest>(request, |of| {
                 let found = self.at(&of.text_document_position_params);
                 Ok(found.and_then(|(known, byte)| hover::hover(&known, ROOT, byte)))

@@ -65,3 +65,57 @@ fn declarations_are_found_by_some_of_their_letters() {
     assert_eq!(found("drive"), <[&str; 0]>::default(), "not in the library");
     assert!(client.leave());
 }
+
+#[test]
+fn words_are_colored_by_what_they_mean() {
+    let mut client = desk();
+    let mut legend = Client::unknown(&[]);
+    let greeting = legend.request("initialize", json!({ "capabilities": {} }));
+    let types = &greeting["capabilities"]["semanticTokensProvider"]["legend"]["tokenTypes"];
+    let mut colors = |name: &str| {
+        let data = client.request("textDocument/semanticTokens/full", of(name))["data"].clone();
+        let numbers: Vec<u64> = data.as_array().unwrap().iter().map(|number| number.as_u64().unwrap()).collect();
+        let (mut line, mut column, mut shown) = (0, 0, Vec::new());
+        for token in numbers.chunks(5) {
+            column = if token[0] == 0 { column + token[1] } else { token[1] };
+            line += token[0];
+            let place = |character: u64| json!({ "line": line, "character": character });
+            let range = json!({ "start": place(column), "end": place(column + token[2]) });
+            let declared = if token[4] == 1 { "!" } else { "" };
+            let kind = types[usize::try_from(token[3]).unwrap()].as_str().unwrap();
+            shown.push(format!("{} {kind}{declared}", client.slice(name, &range)));
+        }
+        shown
+    };
+    let bump = colors("bump.fsfn");
+    for wanted in [
+        "/// Kräfte 🌏. comment",
+        "variable keyword",
+        "contact type!",
+        "N number",
+        "low enumMember!",
+        "ramp function",
+        "// 🌏 näher comment",
+        "bump namespace!",
+        "force parameter!",
+        "contact type",
+        "bumped event!",
+        "high enumMember",
+    ] {
+        assert!(bump.contains(&wanted.to_owned()), "{wanted}: {bump:?}");
+    }
+    let wander = colors("wander.msd");
+    for wanted in [
+        "j5 class",
+        "contact_force property",
+        "idle variable!",
+        "go enumMember",
+        "drive method",
+        "bumped event",
+        "radius parameter",
+    ] {
+        assert!(wander.contains(&wanted.to_owned()), "{wanted}: {wander:?}");
+    }
+    legend.notify("exit", Value::Null);
+    assert!(client.leave());
+}
