@@ -4,6 +4,7 @@
 //! Imports: analysis, base, diag, driver, ir, membership, sema, syntax
 //! Crates: lsp-server, lsp-types
 
+mod actions;
 mod colors;
 mod completion;
 mod definition;

@@ -8,19 +8,21 @@ use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestI
 use lsp_types::notification::{self as notifications, Notification as _};
 use lsp_types::request::{self as requests, Request as _};
 use lsp_types::{
-    CancelParams, CompletionOptions, CompletionResponse, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentFormattingParams,
-    DocumentSymbolResponse, HoverProviderCapability, InitializeParams, InitializeResult, NumberOrString, OneOf,
-    PrepareRenameResponse, PublishDiagnosticsParams, RenameOptions, RenameParams, SemanticTokens,
-    SemanticTokensFullOptions, SemanticTokensOptions, SemanticTokensResult, SemanticTokensServerCapabilities,
-    ServerCapabilities, ServerInfo, TextDocumentPositionParams, TextDocumentSyncCapability, TextDocumentSyncKind,
-    TextEdit, Uri, WorkDoneProgressOptions, WorkspaceEdit, WorkspaceSymbolResponse,
+    CancelParams, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams,
+    CodeActionProviderCapability, CompletionOptions, CompletionResponse, DidChangeTextDocumentParams,
+    DidChangeWatchedFilesParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+    DocumentFormattingParams, DocumentSymbolResponse, HoverProviderCapability, InitializeParams, InitializeResult,
+    NumberOrString, OneOf, PrepareRenameResponse, PublishDiagnosticsParams, RenameOptions, RenameParams,
+    SemanticTokens, SemanticTokensFullOptions, SemanticTokensOptions, SemanticTokensResult,
+    SemanticTokensServerCapabilities, ServerCapabilities, ServerInfo, TextDocumentPositionParams,
+    TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions, WorkspaceEdit,
+    WorkspaceSymbolResponse,
 };
 
 use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
-use super::{Desk, colors, completion, definition, diagnostics, formatting, hover, rename, symbols};
+use super::{Desk, actions, colors, completion, definition, diagnostics, formatting, hover, rename, symbols};
 use crate::base::{FileId, Span};
 use crate::driver::{self, Options};
 
@@ -124,6 +126,10 @@ fn capabilities() -> ServerCapabilities {
                 ..SemanticTokensOptions::default()
             },
         )),
+        code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
+            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, CodeActionKind::SOURCE_FIX_ALL]),
+            ..CodeActionOptions::default()
+        })),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         ..ServerCapabilities::default()
     }
@@ -226,6 +232,9 @@ impl Server<'_> {
                     let colors = known.map(|known| colors::colors(&known, ROOT));
                     Ok(colors.map(|data| SemanticTokensResult::Tokens(SemanticTokens { result_id: None, data })))
                 })
+            }
+            requests::CodeActionRequest::METHOD => {
+                reply::<requests::CodeActionRequest>(request, |of| Ok(self.actions(&of)))
             }
             requests::HoverRequest::METHOD => reply::<requests::HoverRequest>(request, |of| {
                 let found = self.at(&of.text_document_position_params);
@@ -382,6 +391,19 @@ impl Server<'_> {
         let on_disk = self.folder.root().map(|root| self.desk.files(root)).unwrap_or_default();
         let on_disk = on_disk.into_iter().map(|path| self.folder.relative(path));
         self.documents.open.keys().cloned().chain(on_disk).collect()
+    }
+
+    /// The fixes for a range of a document, of the kinds that are asked for.
+    fn actions(&mut self, of: &CodeActionParams) -> Option<Vec<CodeActionOrCommand>> {
+        let known = self.know(&self.folder.path(&of.text_document.uri), false)?;
+        let bytes = known.byte(ROOT, of.range.start)..=known.byte(ROOT, of.range.end);
+        let is_wanted = |kind: Option<&CodeActionKind>| match (&of.context.only, kind) {
+            (Some(only), Some(kind)) => only.iter().any(|wanted| kind.as_str().starts_with(wanted.as_str())),
+            _ => true,
+        };
+        let actions = actions::actions(&known, ROOT, &bytes, &self.folder).into_iter();
+        let actions = actions.filter(|action| is_wanted(action.kind.as_ref()));
+        Some(actions.map(CodeActionOrCommand::CodeAction).collect())
     }
 
     /// The names by which a file can import those beside it, and those in the folders there.

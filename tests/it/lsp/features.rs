@@ -119,3 +119,43 @@ fn words_are_colored_by_what_they_mean() {
     legend.notify("exit", Value::Null);
     assert!(client.leave());
 }
+
+fn actions(client: &mut Client, before: &str, only: Option<&str>) -> Vec<(String, Value)> {
+    let mut parameters = of("wander.msd");
+    let place = client.place("wander.msd", before, "")["position"].clone();
+    parameters["range"] = json!({ "start": place, "end": place });
+    parameters["context"] = json!({ "diagnostics": [] });
+    if let Some(only) = only {
+        parameters["context"]["only"] = json!([only]);
+    }
+    let found = client.request("textDocument/codeAction", parameters);
+    let shown = |action: &Value| {
+        (action["title"].as_str().unwrap().to_owned(), action["edit"]["changes"][uri("wander.msd")].clone())
+    };
+    found.as_array().unwrap().iter().map(shown).collect()
+}
+
+#[test]
+fn fixes_are_offered_and_mend_what_was_found() {
+    let mut client = desk();
+    assert!(client.wait("wander.msd").iter().any(|message| message.contains("nothing reads the flag `idle`")));
+    let found = actions(&mut client, "flag idle", Some("quickfix"));
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].0, "remove the flag");
+    let edits = found[0].1.as_array().unwrap();
+    assert_eq!(edits.len(), 1);
+    assert_eq!(client.slice("wander.msd", &edits[0]["range"]), "    flag idle = contact_force > 100 N\n");
+    assert!(actions(&mut client, "entry", Some("quickfix")).is_empty());
+    let all = actions(&mut client, "entry", Some("source.fixAll"));
+    assert_eq!(all[0].0, "fix what can be fixed (2)");
+    let fixed = all[0].1[0]["newText"].as_str().unwrap().to_owned();
+    assert!(!fixed.contains("idle") && !fixed.contains("mobile_base"), "{fixed}");
+    let whole = client.text("wander.msd").to_owned();
+    client.replace("wander.msd", &whole, &fixed);
+    assert!(
+        client.wait("wander.msd").iter().all(|message| !message.starts_with('2')),
+        "{:?}",
+        client.messages("wander.msd")
+    );
+    assert!(client.leave());
+}
