@@ -14,7 +14,7 @@ use lsp_types::{
     DocumentFormattingParams, DocumentSymbolResponse, HoverProviderCapability, InitializeParams, InitializeResult,
     NumberOrString, OneOf, PrepareRenameResponse, PublishDiagnosticsParams, RenameOptions, RenameParams,
     SemanticTokens, SemanticTokensFullOptions, SemanticTokensOptions, SemanticTokensResult,
-    SemanticTokensServerCapabilities, ServerCapabilities, ServerInfo, TextDocumentPositionParams,
+    SemanticTokensServerCapabilities, ServerCapabilities, ServerInfo, SignatureHelpOptions, TextDocumentPositionParams,
     TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions, WorkspaceEdit,
     WorkspaceSymbolResponse,
 };
@@ -22,7 +22,9 @@ use lsp_types::{
 use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
-use super::{Desk, actions, colors, completion, definition, diagnostics, formatting, hover, rename, symbols};
+use super::{
+    Desk, actions, colors, completion, definition, diagnostics, formatting, hover, rename, signature, symbols,
+};
 use crate::base::{FileId, Span};
 use crate::driver::{self, Options};
 
@@ -130,6 +132,10 @@ fn capabilities() -> ServerCapabilities {
             code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, CodeActionKind::SOURCE_FIX_ALL]),
             ..CodeActionOptions::default()
         })),
+        signature_help_provider: Some(SignatureHelpOptions {
+            trigger_characters: Some(["(", ","].map(str::to_owned).to_vec()),
+            ..SignatureHelpOptions::default()
+        }),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         ..ServerCapabilities::default()
     }
@@ -236,6 +242,10 @@ impl Server<'_> {
             requests::CodeActionRequest::METHOD => {
                 reply::<requests::CodeActionRequest>(request, |of| Ok(self.actions(&of)))
             }
+            requests::SignatureHelpRequest::METHOD => reply::<requests::SignatureHelpRequest>(request, |of| {
+                let found = self.at(&of.text_document_position_params);
+                Ok(found.and_then(|(known, byte)| signature::signature(&known, ROOT, byte)))
+            }),
             requests::HoverRequest::METHOD => reply::<requests::HoverRequest>(request, |of| {
                 let found = self.at(&of.text_document_position_params);
                 Ok(found.and_then(|(known, byte)| hover::hover(&known, ROOT, byte)))

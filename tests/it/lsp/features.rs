@@ -159,3 +159,32 @@ fn fixes_are_offered_and_mend_what_was_found() {
     );
     assert!(client.leave());
 }
+
+fn signature(client: &mut Client, name: &str, old: &str, written: &str) -> (String, String) {
+    client.replace(name, old, written);
+    let place = client.place(name, written, "");
+    let help = client.request("textDocument/signatureHelp", place);
+    client.replace(name, written, old);
+    let signature = &help["signatures"][0];
+    let active = signature["activeParameter"].as_u64().unwrap_or(99) as usize;
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    (text(&signature["label"]), text(&signature["parameters"][active]["label"]))
+}
+
+#[test]
+fn what_is_called_says_what_it_takes() {
+    let mut client = desk();
+    let pair = |label: &str, active: &str| (label.to_owned(), active.to_owned());
+    let mut in_mode = |written: &str| signature(&mut client, "wander.msd", "arc(20 cm/s, radius: 1 m)", written);
+    assert_eq!(in_mode("arc("), pair("arc(speed: m/s, radius: m)", "speed: m/s"));
+    assert_eq!(in_mode("arc(20 cm/s, "), pair("arc(speed: m/s, radius: m)", "radius: m"));
+    assert_eq!(in_mode("turn(random(-20 deg, "), pair("random(low, high)", "high"));
+    assert_eq!(in_mode("2: held(bumped, "), pair("held(condition, time)", "time"));
+    assert_eq!(in_mode("// arc("), pair("", ""));
+    assert_eq!(in_mode("halt()"), pair("", ""), "behind the parentheses");
+    let sense = signature(&mut client, "wander.msd", "sense bump(contact_force)", "sense bump(");
+    assert_eq!(sense, pair("bump(force: N)", "force: N"));
+    let shape = signature(&mut client, "bump.fsfn", "ramp(80, 20)", "trapezoid(1, 2, ");
+    assert_eq!(shape, pair("trapezoid(a, b, c, d)", "c"));
+    assert!(client.leave());
+}
