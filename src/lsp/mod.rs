@@ -13,6 +13,7 @@ mod documents;
 mod drawing;
 mod folder;
 mod formatting;
+mod hints;
 mod hover;
 mod known;
 mod lines;

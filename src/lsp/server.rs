@@ -23,7 +23,7 @@ use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
 use super::{
-    Desk, actions, colors, completion, definition, diagnostics, formatting, hover, rename, signature, symbols,
+    Desk, actions, colors, completion, definition, diagnostics, formatting, hints, hover, rename, signature, symbols,
 };
 use crate::base::{FileId, Span};
 use crate::driver::{self, Options};
@@ -136,6 +136,7 @@ fn capabilities() -> ServerCapabilities {
             trigger_characters: Some(["(", ","].map(str::to_owned).to_vec()),
             ..SignatureHelpOptions::default()
         }),
+        inlay_hint_provider: Some(OneOf::Left(true)),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         ..ServerCapabilities::default()
     }
@@ -245,6 +246,13 @@ impl Server<'_> {
             requests::SignatureHelpRequest::METHOD => reply::<requests::SignatureHelpRequest>(request, |of| {
                 let found = self.at(&of.text_document_position_params);
                 Ok(found.and_then(|(known, byte)| signature::signature(&known, ROOT, byte)))
+            }),
+            requests::InlayHintRequest::METHOD => reply::<requests::InlayHintRequest>(request, |of| {
+                let known = self.know(&self.folder.path(&of.text_document.uri), false);
+                Ok(known.map(|known| {
+                    let bytes = known.byte(ROOT, of.range.start)..known.byte(ROOT, of.range.end) + 1;
+                    hints::hints(&known, ROOT, &bytes)
+                }))
             }),
             requests::HoverRequest::METHOD => reply::<requests::HoverRequest>(request, |of| {
                 let found = self.at(&of.text_document_position_params);

@@ -188,3 +188,27 @@ fn what_is_called_says_what_it_takes() {
     assert_eq!(shape, pair("trapezoid(a, b, c, d)", "c"));
     assert!(client.leave());
 }
+
+#[test]
+fn quantities_are_hinted_in_si() {
+    let mut client = desk();
+    let mut hints = |name: &str, lines: u32| {
+        let mut parameters = of(name);
+        parameters["range"] =
+            json!({ "start": { "line": 0, "character": 0 }, "end": { "line": lines, "character": 0 } });
+        let found = client.request("textDocument/inlayHint", parameters);
+        let shown = |hint: &Value| {
+            format!(
+                "{}:{} {}",
+                hint["position"]["line"],
+                hint["position"]["character"],
+                hint["label"].as_str().unwrap()
+            )
+        };
+        found.as_array().unwrap().iter().map(shown).collect::<Vec<_>>()
+    };
+    assert_eq!(hints("bump.fsfn", 99), ["1:16 2 terms"]);
+    assert_eq!(hints("wander.msd", 99), ["8:22 = -0.26 m/s", "12:19 = 0.2 m/s", "13:23 = 0.5 s"]);
+    assert_eq!(hints("wander.msd", 9), ["8:22 = -0.26 m/s"]);
+    assert!(client.leave());
+}
