@@ -3,6 +3,7 @@
 #![expect(clippy::disallowed_methods, clippy::print_stdout, reason = "ratios are measured by a clock of our own")]
 #![expect(clippy::unwrap_used, reason = "a bench without its input has nothing to measure")]
 
+mod by_fuzzy_logic_rs;
 mod by_hand;
 mod by_hand_navigator;
 mod by_smlang;
@@ -275,6 +276,23 @@ fn navigators(program: &Analysis, time: Duration) {
     measure("navigator, each after the one before", &courses, &runs, time);
 }
 
+/// A library that samples does something near, and is measured alone.
+fn sampled(program: &Analysis, time: Duration) {
+    let network = program.program.networks.values().find(|network| network.symbol.name == "navigator").unwrap();
+    let system = by_fuzzy_logic_rs::network(&program.program, network);
+    let evaluate = |inputs: &navigator::Inputs| {
+        let answer =
+            system.compute_outputs(vec![inputs.target, inputs.gate, inputs.obstacle, inputs.left, inputs.right]);
+        [answer[0], answer[1]]
+    };
+    // It takes a reading at the very end of its range for one outside of it.
+    let courses: Vec<_> =
+        courses().into_iter().filter(|inputs| inputs.target.abs() < 3.1 && inputs.gate.abs() < 3.1).collect();
+    let off = courses.iter().map(|inputs| (emitted_course(inputs)[0] - evaluate(inputs)[0]).abs()).sum::<f64>();
+    assert!(off / (courses.len() as f64) < 0.01, "{}: another network", off / courses.len() as f64);
+    measure("navigator in a library", &courses, &[("fuzzy-logic_rs", &|inputs| driven(inputs, evaluate))], time);
+}
+
 /// Columns against rows: the answers of all rows are left in memory by both.
 fn columns(time: Duration) {
     let (readings, courses) = (readings(), courses());
@@ -453,6 +471,7 @@ fn main() {
     let program = analyze(&Library, &["main.msd".to_owned()], &Options::default());
     networks(&program, time);
     navigators(&program, time);
+    sampled(&program, time);
     columns(time);
     machines(&program, time);
     println!("switching has {} bytes of state", size_of::<switching::Machine>());
