@@ -13,6 +13,7 @@ pub mod kernel;
 pub mod lsp;
 mod membership;
 pub mod plan;
+pub mod repl;
 pub mod report;
 pub mod sema;
 pub mod sim;

@@ -3,6 +3,8 @@
 //! Imports: base
 //! Crates: –
 
+use std::fmt;
+
 use crate::base::Span;
 
 /// A recorded run. All columns have one value for each tick.
@@ -118,6 +120,14 @@ pub struct Evidence {
     pub name: String,
     /// The number with its unit, for people.
     pub text: String,
+}
+
+impl fmt::Display for Evidence {
+    /// `left_wheel_acceleration -1.71 m/s^2`, but `forward_collision: contributor 0.93 > detractor 0.00`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let is_number = self.text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
+        write!(f, "{}{} {}", self.name, if is_number { "" } else { ":" }, self.text)
+    }
 }
 
 impl Trace {

@@ -6,6 +6,7 @@
 mod arena;
 mod fraction;
 mod quantity;
+mod read;
 mod source;
 mod span;
 mod unit;
@@ -13,6 +14,7 @@ mod unit;
 pub use arena::{Arena, Id};
 pub use fraction::Fraction;
 pub use quantity::{Dimension, Exact, Quantity};
+pub use read::read_quantity;
 pub use source::{Source, Sources};
 pub use span::{FileId, Span};
 pub use unit::{UNITS, Unit, UnitName, find_unit};

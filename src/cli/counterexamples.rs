@@ -18,7 +18,8 @@ pub(super) fn write(analysis: &Analysis, folder: &str, terminal: &Terminal) -> R
         let diagram = &analysis.program.diagrams[property.diagram];
         let mut imports = Vec::new();
         for file in [property.symbol.span.file, diagram.symbol.span.file] {
-            let import = format!("import {}\n", imported(analysis, file, folder, terminal)?);
+            let import =
+                format!("import {}\n", imported(analysis, file, folder).map_err(|error| error.report(terminal))?);
             if !imports.contains(&import) {
                 imports.push(import);
             }
@@ -33,15 +34,27 @@ pub(super) fn write(analysis: &Analysis, folder: &str, terminal: &Terminal) -> R
     Ok(())
 }
 
+/// Why no file in a folder can import another.
+pub(super) struct NotBelow {
+    pub(super) message: String,
+    pub(super) help: &'static str,
+}
+
+impl NotBelow {
+    fn report(&self, terminal: &Terminal) -> u8 {
+        terminal.fail(&self.message, Some(self.help))
+    }
+}
+
 /// How a file in a folder imports another.
-fn imported(analysis: &Analysis, file: FileId, folder: &str, terminal: &Terminal) -> Result<String, u8> {
+pub(super) fn imported(analysis: &Analysis, file: FileId, folder: &str) -> Result<String, NotBelow> {
     let path = analysis.sources.path(file);
     if let Some(inside) = path.strip_prefix("std/") {
         return Ok(format!("std.{}", inside.trim_end_matches(".msd").replace('/', ".")));
     }
-    below(Path::new(path), Path::new(folder)).ok_or_else(|| {
-        let message = format!("no file in `{folder}` can import `{path}`");
-        terminal.fail(&message, Some("name the folder it is in, or one above that; an import is made of plain words"))
+    below(Path::new(path), Path::new(folder)).ok_or_else(|| NotBelow {
+        message: format!("no file in `{folder}` can import `{path}`"),
+        help: "name the folder it is in, or one above that; an import is made of plain words",
     })
 }
 

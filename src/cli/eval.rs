@@ -3,9 +3,9 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
-use super::quantity::quantity;
+
 use super::terminal::{Terminal, exit_code};
-use crate::base::Unit;
+use crate::base::{Unit, read_quantity};
 use crate::diag;
 use crate::interp::{Evaluator, Reading};
 use crate::plan::{self, NetworkPlan};
@@ -115,7 +115,7 @@ fn reading(text: &str, unit: &Unit) -> Option<Reading> {
     if text == "failed" {
         return Some(Reading { value: f64::NAN, healthy: false });
     }
-    let value = match quantity(text, unit) {
+    let value = match read_quantity(text, unit) {
         Some(exact) => exact.to_f64(),
         None => text.trim().parse::<f64>().ok().filter(|value| !value.is_finite())?,
     };

@@ -204,13 +204,23 @@ pub(super) fn make_folder(path: &str, terminal: &Terminal) -> Result<(), u8> {
 /// # Errors
 /// The exit code; the reason has been reported.
 pub(super) fn read(path: &str, terminal: &Terminal) -> Result<String, u8> {
-    let text = if path == "-" { standard_input() } else { Disk { stdin: None }.read(path) };
-    text.map_err(|error| {
-        let reason = match error {
-            FileError::Missing => "there is no such file".to_owned(),
-            FileError::NotUtf8 { byte } => format!("it is not UTF-8 text from byte {byte} on"),
-            FileError::Unreadable(reason) => reason,
-        };
-        terminal.fail(&format!("`{path}` cannot be read: {reason}"), None)
-    })
+    let text = if path == "-" { standard_input().map_err(|error| unread(path, error)) } else { text_of(path) };
+    text.map_err(|message| terminal.fail(&message, None))
+}
+
+/// The text of a file on disk.
+///
+/// # Errors
+/// What to say of it.
+pub(super) fn text_of(path: &str) -> Result<String, String> {
+    Disk { stdin: None }.read(path).map_err(|error| unread(path, error))
+}
+
+fn unread(path: &str, error: FileError) -> String {
+    let reason = match error {
+        FileError::Missing => "there is no such file".to_owned(),
+        FileError::NotUtf8 { byte } => format!("it is not UTF-8 text from byte {byte} on"),
+        FileError::Unreadable(reason) => reason,
+    };
+    format!("`{path}` cannot be read: {reason}")
 }

@@ -1,7 +1,7 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
-//! Imports: analysis, base, diag, driver, emit, interp, ir, lsp, plan, report, sim, view
-//! Crates: clap, clap_complete, clap_mangen, rayon, serde, similar, toml
+//! Imports: analysis, base, diag, driver, emit, interp, ir, lsp, plan, repl, report, sim, view
+//! Crates: clap, clap_complete, clap_mangen, rayon, reedline, serde, similar, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
 mod build;
@@ -19,7 +19,7 @@ mod fmt;
 mod graph;
 mod lsp;
 mod new;
-mod quantity;
+mod repl;
 mod run;
 mod script;
 mod terminal;
@@ -98,6 +98,8 @@ enum Command {
     Test(test::Test),
     /// Evaluate a network on given readings
     Eval(eval::Eval),
+    /// Drive a behavior by hand: set sensors, fail them, step, and ask why
+    Repl(repl::Repl),
     /// Show what is left of every event under each set of failed sensors
     Faults(faults::Faults),
     /// Lay files out in the one canonical way
@@ -124,6 +126,7 @@ pub fn main() -> ExitCode {
         Command::Run(run) => run.execute(&terminal),
         Command::Test(test) => test.execute(&terminal),
         Command::Eval(eval) => eval.execute(&terminal),
+        Command::Repl(repl) => repl.execute(&terminal),
         Command::Faults(faults) => faults.execute(&terminal),
         Command::Build(build) => build.execute(&terminal),
         Command::Fmt(fmt) => fmt.execute(&terminal),

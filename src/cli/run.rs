@@ -3,9 +3,8 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
-use super::quantity::quantity;
 use super::terminal::{Terminal, exit_code};
-use crate::base::{FileId, Span, Unit};
+use crate::base::{FileId, Span, Unit, read_quantity};
 use crate::diag::{self, Diagnostic, rules};
 use crate::driver::Analysis;
 use crate::ir::{self, Window};
@@ -155,11 +154,11 @@ fn parse_fault(
         "any" => ir::FaultReading::StuckSomewhere,
         "failed" => ir::FaultReading::Reported,
         value => {
-            let value = quantity(value, unit).ok_or_else(form)?;
+            let value = read_quantity(value, unit).ok_or_else(form)?;
             ir::FaultReading::Stuck(value.to_f64())
         }
     };
-    let seconds = Unit::parse("s").and_then(|unit| quantity(time, &unit)).ok_or_else(form)?;
+    let seconds = Unit::parse("s").and_then(|unit| read_quantity(time, &unit)).ok_or_else(form)?;
     let from = crate::base::Quantity::new(seconds, crate::base::Dimension::TIME).to_nanoseconds().ok_or_else(form)?;
     Ok(ir::Fault { sensor, reading, window: Window { from, to: u64::MAX }, span: Span::default() })
 }

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::builder::{Builder, EventSlots, Names, reachable};
 use super::{
-    Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Origin, Output, Plan, Real, Sense,
-    Transition, input, origin,
+    Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Origin, Output, Part, Plan, Real, Sense,
+    Transition, Value, input, origin,
 };
 use crate::base::Id;
 use crate::ir;
@@ -318,15 +318,67 @@ impl<'a> Parts<'a> {
         builder.begin_part();
         let start = builder.position();
         let condition = builder.expr(transition.condition, names);
+        let steps = start..builder.position();
         Transition {
             priority: transition.priority,
-            steps: start..builder.position(),
+            steps,
             condition,
             target: transition.target.unwrap_or(from).index() as u32,
             span: transition.span,
             text: self.checked.on_one_line(self.platform.program.exprs[transition.condition].span),
             evidence: self.evidence(transition.condition),
+            parts: self.parts(transition.condition, builder, names),
         }
+    }
+
+    /// What a condition that has been emitted is made of, through named flags, each part once.
+    fn parts(&self, condition: Id<ir::Expr>, builder: &mut Builder<'_>, names: &Names<'_>) -> Vec<Part> {
+        let program = self.platform.program;
+        let mut parts = Vec::new();
+        let mut waiting = vec![(condition, 0)];
+        let mut seen = std::collections::HashSet::new();
+        while let Some((id, depth)) = waiting.pop() {
+            let expr = &program.exprs[id];
+            let (within, evidence) = match &expr.op {
+                ir::Op::Flag(flag) => (vec![self.diagram.flags[*flag].condition], Vec::new()),
+                ir::Op::And(of) | ir::Op::Or(of) => (of.clone(), Vec::new()),
+                ir::Op::Compare(_, left, right) => {
+                    let sides = [*left, *right];
+                    let looks_at = sides.iter().flat_map(|side| self.looks_at(&program.exprs[*side].op)).collect();
+                    let counts = sides.into_iter().filter(|side| matches!(program.exprs[*side].op, ir::Op::Count(_)));
+                    (counts.collect(), looks_at)
+                }
+                ir::Op::Not(of)
+                | ir::Op::Rising(of)
+                | ir::Op::Falling(of)
+                | ir::Op::Held(of, _)
+                | ir::Op::Latched(of)
+                | ir::Op::Count(of) => (vec![*of], Vec::new()),
+                op => (Vec::new(), self.looks_at(op)),
+            };
+            waiting.extend(within.into_iter().rev().filter(|id| seen.insert(*id)).map(|id| (id, depth + 1)));
+            let value = builder.expr(id, names);
+            let value = if expr.ty == ir::Type::Bool { Value::Truth(value) } else { Value::Number(value) };
+            parts.push(Part { depth, text: self.checked.on_one_line(expr.span), value, evidence });
+        }
+        parts
+    }
+
+    /// The numbers that one operation looks at.
+    fn looks_at(&self, op: &ir::Op) -> Vec<Evidence> {
+        match op {
+            ir::Op::Sensor(sensor) | ir::Op::Failed(sensor) => vec![Evidence::Input(self.platform.input(*sensor))],
+            ir::Op::Event { sense, event } => vec![self.event(*sense, *event)],
+            ir::Op::After(_) => vec![Evidence::Dwell],
+            _ => Vec::new(),
+        }
+    }
+
+    /// An event by its position among those of all networks.
+    fn event(&self, sense: u32, event: u32) -> Evidence {
+        let before = self.diagram.senses.iter().take(sense as usize);
+        let before = before.map(|sense| self.platform.program.networks[sense.network].events.len());
+        Evidence::Event(before.sum::<usize>() as u32 + event)
     }
 
     /// The numbers a condition looks at, through named flags and events, each once.
@@ -341,14 +393,10 @@ impl<'a> Parts<'a> {
         let mut seen = std::collections::HashSet::new();
         while let Some(root) = waiting.pop() {
             for id in reachable(self.platform.program, root) {
-                match &self.platform.program.exprs[id].op {
-                    ir::Op::Sensor(sensor) | ir::Op::Failed(sensor) => {
-                        add(Evidence::Input(self.platform.input(*sensor)));
-                    }
-                    ir::Op::Event { sense, event } => {
-                        let before = self.diagram.senses.iter().take(*sense as usize);
-                        let before = before.map(|sense| self.platform.program.networks[sense.network].events.len());
-                        add(Evidence::Event(before.sum::<usize>() as u32 + event));
+                let op = &self.platform.program.exprs[id].op;
+                self.looks_at(op).into_iter().for_each(&mut add);
+                match op {
+                    ir::Op::Event { sense, .. } => {
                         for &sensor in &self.diagram.senses[*sense as usize].inputs {
                             add(Evidence::Input(self.platform.input(sensor)));
                         }
@@ -356,7 +404,6 @@ impl<'a> Parts<'a> {
                     ir::Op::Flag(flag) if seen.insert(*flag) => {
                         waiting.push(self.diagram.flags[*flag].condition);
                     }
-                    ir::Op::After(_) => add(Evidence::Dwell),
                     _ => {}
                 }
             }

@@ -653,6 +653,31 @@ pub struct Transition {
     pub text: String,
     /// The numbers its condition looks at.
     pub evidence: Vec<Evidence>,
+    /// What its condition is made of, itself first, each before its own parts. Their values are those of the last tick on
+    /// which the transition was tried.
+    pub parts: Vec<Part>,
+}
+
+/// A condition within that of a transition, or a count in one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Within how many others it is.
+    pub depth: u32,
+    /// As written.
+    pub text: String,
+    /// Where it is.
+    pub value: Value,
+    /// The numbers that it looks at itself.
+    pub evidence: Vec<Evidence>,
+}
+
+/// Where something is, and what it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Value {
+    /// A truth value.
+    Truth(Bool),
+    /// A plain number.
+    Number(Real),
 }
 
 /// A number that a condition looks at.

@@ -5,7 +5,7 @@ use std::slice;
 
 use super::paint::{Paint, wrap};
 use super::run::{Outcome, mode_name};
-use crate::trace::{Evidence, ModeChange, seconds};
+use crate::trace::{ModeChange, seconds};
 
 /// The narrowest column that evidence may be squeezed into; below that it goes on lines of its own.
 const EVIDENCE_WIDTH: usize = 44;
@@ -92,14 +92,8 @@ fn row<'a>(outcome: &Outcome<'a>, change: &ModeChange, decimals: usize) -> Row<'
         time: format!("{:.decimals$} s", seconds(change.time)),
         mode: mode_name(outcome.trace, change.to),
         reason,
-        evidence: change.evidence.iter().map(evidence).collect(),
+        evidence: change.evidence.iter().map(ToString::to_string).collect(),
     }
-}
-
-/// `left_wheel_acceleration -1.71 m/s^2`, but `forward_collision: contributor 0.93 > detractor 0.00`.
-fn evidence(evidence: &Evidence) -> String {
-    let is_number = evidence.text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
-    format!("{}{} {}", evidence.name, if is_number { "" } else { ":" }, evidence.text)
 }
 
 /// The decimals that tell all times exactly, from two to six.

@@ -138,6 +138,7 @@ pub(super) fn plan() -> Plan {
         span: Span::default(),
         text: "as written".to_owned(),
         evidence: vec![evidence],
+        parts: Vec::new(),
     };
     let (force, event) = (Evidence::Input(2), Evidence::Event(0));
     let ways = [

@@ -17,4 +17,5 @@ mod world;
 
 pub use coverage::coverage;
 pub use expect::{Verdict, judge};
-pub use run::{Run, RunError, RunOptions, placements, run};
+pub use record::evidence;
+pub use run::{Run, RunError, RunOptions, machine, placements, run};

@@ -128,7 +128,7 @@ impl<'a> Recorder<'a> {
             Taken::Entered => (None, String::new(), Vec::new()),
             Taken::Transition(index) => {
                 let transition = &self.plan.transitions[index as usize];
-                let shown = transition.evidence.iter().map(|&of| show(self.plan, of, readings, machine, dwell));
+                let shown = transition.evidence.iter().map(|&of| evidence(self.plan, of, readings, machine, dwell));
                 (Some(transition.priority), transition.text.clone(), shown.collect())
             }
             Taken::Lost { input, .. } => {
@@ -145,7 +145,8 @@ impl<'a> Recorder<'a> {
     }
 }
 
-fn show(plan: &Plan, of: plan::Evidence, readings: &[Reading], machine: &Machine<'_>, dwell: u64) -> Evidence {
+/// A number that a condition looks at, for people. `dwell` is how long the mode has been active, ns.
+pub fn evidence(plan: &Plan, of: plan::Evidence, readings: &[Reading], machine: &Machine<'_>, dwell: u64) -> Evidence {
     match of {
         plan::Evidence::Input(index) => {
             let input = &plan.inputs[index as usize];

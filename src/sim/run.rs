@@ -89,7 +89,7 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
     let ranges: Vec<(f64, f64)> = plan.inputs.iter().map(|input| (input.low, input.high)).collect();
     let faults = scenario.faults.iter().chain(&options.faults);
     let mut sensing = Sensing::new(program, robot, &ranges, faults, seed);
-    let mut machine = Machine::new(plan, Stream::new(seed, Purpose::Machine).seed());
+    let mut machine = machine(plan, seed);
     let commands = robot.actions.iter().map(|&action| program.actions[action].command.as_ref()).collect();
     let body = DifferentialDrive::new(parameters, seed);
     let mut driver = Driver { commands, body, given: false };
@@ -116,6 +116,11 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
     let (trace, held, decided) = recorder.finish();
     let verdicts = judge(scenario, &trace, &held);
     Ok(Run { trace, verdicts, decided })
+}
+
+/// A machine before its first tick; what it draws follows from the seed of the run.
+pub fn machine(plan: &Plan, seed: u64) -> Machine<'_> {
+    Machine::new(plan, Stream::new(seed, Purpose::Machine).seed())
 }
 
 /// How many ticks a scenario has.

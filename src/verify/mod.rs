@@ -9,7 +9,8 @@ mod scenario;
 mod search;
 mod told;
 
-pub use scenario::Counterexample;
+pub use scenario::{Counterexample, Replay, time, written};
+pub use told::{Number, Stretch, Told, readings};
 
 use crate::analysis::modes::{Proof, Prover, Stimulus};
 use crate::base::{FileId, Id};
@@ -17,9 +18,8 @@ use crate::diag::Diagnostic;
 use crate::ir::{self, Claim, Platform};
 use crate::plan::{self, Checked, Plan};
 use play::{Played, play, simplify};
-use scenario::Shown;
 use search::{Found, search};
-use told::{Cues, Stretch};
+use told::Cues;
 
 /// What became of the properties of a program.
 #[derive(Debug, Default)]
@@ -123,8 +123,10 @@ fn refute(subject: &Subject<'_>, stimuli: &[Vec<Stimulus>]) -> Option<Refuted> {
         Platform::Interface(_) => Err("the behavior is written on an interface"),
         Platform::Robot(robot) if program.robots[robot].body.is_none() => Err("its robot has no body"),
         Platform::Robot(robot) => {
-            let shown = Shown { checked, property: id, robot, tick, cues: &cues };
-            shown.scenario(&played.stretches)
+            let claim = Some(property.claim);
+            let (diagram, forced) = (property.diagram, &cues.matters[..]);
+            let replay = Replay { checked, diagram, robot, tick, forced, claim };
+            scenario::counterexample(&replay, id, &played.stretches)
         }
     };
     Some(Refuted { plan, tick, played, matters: cues.matters, counterexample })

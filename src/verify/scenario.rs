@@ -1,10 +1,10 @@
-//! The scenario that shows a run which refutes a property: it forces every reading that matters.
+//! A run as a scenario that the simulator goes through in the same way: it forces every reading that matters.
 
 use std::fmt::Write;
 
-use super::told::{Cues, Number, Stretch};
-use crate::base::Unit;
-use crate::ir::{self, ExpectationKind, FaultReading, Window};
+use super::told::{Number, Stretch};
+use crate::base::{Id, Span, Unit};
+use crate::ir::{self, Claim, ExpectationKind, FaultReading, Window};
 use crate::plan::{self, Checked};
 use crate::sim::{self, Run, RunOptions};
 
@@ -12,7 +12,7 @@ use crate::sim::{self, Run, RunOptions};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Counterexample {
     /// The property.
-    pub property: crate::base::Id<ir::Property>,
+    pub property: Id<ir::Property>,
     /// The scenario's name.
     pub name: String,
     /// The scenario as text, for the file of the property or one that imports it.
@@ -24,20 +24,64 @@ const LONGEST_ACTION: u64 = 60_000_000_000;
 /// Longer runs than this many ticks are not simulated.
 const LONGEST: u64 = 1 << 16;
 
-/// What is to be shown.
-pub(super) struct Shown<'a> {
-    pub(super) checked: Checked<'a>,
-    pub(super) property: crate::base::Id<ir::Property>,
-    pub(super) robot: crate::base::Id<ir::Robot>,
+/// Why there is none, where the simulated robot does not go along.
+const OTHERWISE: &str = "the simulated robot completes its actions at other times";
+
+/// What was run, and how its readings are forced again.
+#[derive(Debug, Clone)]
+pub struct Replay<'a> {
+    /// The program.
+    pub checked: Checked<'a>,
+    /// What was run.
+    pub diagram: Id<ir::Diagram>,
+    /// On which robot; it has a body.
+    pub robot: Id<ir::Robot>,
     /// Nanoseconds.
-    pub(super) tick: u64,
-    pub(super) cues: &'a Cues,
+    pub tick: u64,
+    /// Whether each sensor of the robot is forced.
+    pub forced: &'a [bool],
+    /// What the run breaks, if it is shown for that.
+    pub claim: Option<Claim>,
 }
 
-impl Shown<'_> {
-    /// The scenario of a run, or why there is none.
-    pub(super) fn scenario(&self, stretches: &[Stretch]) -> Result<Counterexample, &'static str> {
-        const OTHERWISE: &str = "the simulated robot completes its actions at other times";
+/// The scenario in which the simulator refutes a property, or why there is none.
+pub(super) fn counterexample(
+    replay: &Replay<'_>,
+    property: Id<ir::Property>,
+    stretches: &[Stretch],
+) -> Result<Counterexample, &'static str> {
+    let (stretches, run) = replay.completed(stretches)?;
+    if run.verdicts.iter().all(|verdict| verdict.passed) {
+        return Err(OTHERWISE);
+    }
+    let program = replay.checked.program();
+    let mut name = format!("{}_refuted", program.properties[property].symbol.name);
+    while program.scenarios.values().any(|scenario| scenario.symbol.name == name) {
+        name.push('_');
+    }
+    Ok(Counterexample { property, text: replay.text(&name, &stretches, ""), name })
+}
+
+impl Replay<'_> {
+    /// The scenario of that name, which expects these modes, the entry mode first; the simulator goes through them and no
+    /// others.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn scenario(&self, name: &str, modes: &[Id<ir::Mode>], stretches: &[Stretch]) -> Result<String, &'static str> {
+        let (stretches, run) = self.completed(stretches)?;
+        let end = stretches.iter().map(|stretch| stretch.ticks).sum::<u64>() * self.tick;
+        let changes = run.trace.changes.iter().filter(|change| change.time < end);
+        if !changes.map(|change| change.to as usize).eq(modes.iter().map(|mode| mode.index())) {
+            return Err(OTHERWISE);
+        }
+        let names = &self.checked.program().diagrams[self.diagram].modes;
+        let names: Vec<&str> = modes.iter().map(|&mode| names[mode].symbol.name.as_str()).collect();
+        Ok(self.text(name, &stretches, &format!("    expect modes {}\n", names.join(", "))))
+    }
+
+    /// What is told, for as long as the simulated robot takes for its actions; and its run.
+    fn completed(&self, stretches: &[Stretch]) -> Result<(Vec<Stretch>, Run), &'static str> {
         let mut stretches = stretches.to_vec();
         for index in 0..stretches.len() {
             if stretches[index].done {
@@ -48,11 +92,7 @@ impl Shown<'_> {
             return Err("it would take too long");
         }
         let run = self.simulate(&stretches).ok_or(OTHERWISE)?;
-        if run.verdicts.iter().all(|verdict| verdict.passed) {
-            return Err(OTHERWISE);
-        }
-        let (name, property) = (self.name(), self.property);
-        Ok(Counterexample { property, text: self.text(&name, &stretches), name })
+        Ok((stretches, run))
     }
 
     fn simulate(&self, stretches: &[Stretch]) -> Option<Run> {
@@ -78,29 +118,21 @@ impl Shown<'_> {
         None
     }
 
-    /// A name that no scenario has.
-    fn name(&self) -> String {
-        let program = self.checked.program();
-        let mut name = format!("{}_refuted", program.properties[self.property].symbol.name);
-        while program.scenarios.values().any(|scenario| scenario.symbol.name == name) {
-            name.push('_');
-        }
-        name
-    }
-
     fn lowered(&self, stretches: &[Stretch]) -> ir::Scenario {
         let program = self.checked.program();
-        let property = &program.properties[self.property];
         let faults = self.windows(stretches).map(|(sensor, number, window)| ir::Fault {
             sensor: program.robots[self.robot].sensors[sensor],
             reading: number.map_or(FaultReading::Reported, |number| FaultReading::Stuck(number.si)),
             window,
-            span: property.span,
+            span: Span::default(),
         });
-        let kind = ExpectationKind::Claim(property.claim);
+        let expectation = |claim| {
+            let kind = ExpectationKind::Claim(claim);
+            ir::Expectation { text: String::new(), kind, span: Span::default() }
+        };
         ir::Scenario {
-            symbol: property.symbol.clone(),
-            diagram: property.diagram,
+            symbol: program.diagrams[self.diagram].symbol.clone(),
+            diagram: self.diagram,
             robot: self.robot,
             duration: self.duration(stretches),
             tick: self.tick,
@@ -110,7 +142,7 @@ impl Shown<'_> {
             boxes: Vec::new(),
             goal: None,
             faults: faults.collect(),
-            expectations: vec![ir::Expectation { text: String::new(), kind, span: property.span }],
+            expectations: self.claim.map(expectation).into_iter().collect(),
         }
     }
 
@@ -123,7 +155,7 @@ impl Shown<'_> {
     /// What each sensor that matters says when: as long as it says the same, one window.
     fn windows(&self, stretches: &[Stretch]) -> impl Iterator<Item = (usize, Option<Number>, Window)> {
         let mut windows: Vec<(usize, Option<Number>, Window)> = Vec::new();
-        for sensor in (0..self.cues.matters.len()).filter(|sensor| self.cues.matters[*sensor]) {
+        for sensor in (0..self.forced.len()).filter(|sensor| self.forced[*sensor]) {
             let mut from = 0;
             for stretch in stretches {
                 let (said, to) = (stretch.told[sensor], from + stretch.ticks * self.tick);
@@ -142,11 +174,15 @@ impl Shown<'_> {
         })
     }
 
-    fn text(&self, name: &str, stretches: &[Stretch]) -> String {
+    fn text(&self, name: &str, stretches: &[Stretch], expectation: &str) -> String {
         let program = self.checked.program();
-        let diagram = &program.diagrams[program.properties[self.property].diagram].symbol.name;
-        let (duration, tick) = (time(self.duration(stretches)), time(self.tick));
-        let mut text = format!("scenario {name} runs {diagram} {{\n    duration {duration}   tick {tick}\n");
+        let diagram = &program.diagrams[self.diagram];
+        let on = match diagram.platform {
+            ir::Platform::Robot(_) => String::new(),
+            ir::Platform::Interface(_) => format!(" on {}", program.robots[self.robot].symbol.name),
+        };
+        let (diagram, duration, tick) = (&diagram.symbol.name, time(self.duration(stretches)), time(self.tick));
+        let mut text = format!("scenario {name} runs {diagram}{on} {{\n    duration {duration}   tick {tick}\n");
         for (sensor, said, window) in self.windows(stretches) {
             let sensor = &program.sensors[program.robots[self.robot].sensors[sensor]];
             let said = said.map_or_else(
@@ -158,12 +194,12 @@ impl Shown<'_> {
             // Writing to a string does not fail.
             let _ = writeln!(text, "    {said}{from}{to}");
         }
-        text + "}\n"
+        text + expectation + "}\n"
     }
 }
 
-/// As the language writes it.
-pub(super) fn written(number: Number, unit: &Unit) -> String {
+/// A number as the language writes it.
+pub fn written(number: Number, unit: &Unit) -> String {
     match unit.text.as_str() {
         "1" => number.written.to_string(),
         unit => format!("{} {unit}", number.written),
@@ -171,7 +207,7 @@ pub(super) fn written(number: Number, unit: &Unit) -> String {
 }
 
 /// Nanoseconds as a quantity of the language, exactly: in seconds, where they are less than one in milliseconds.
-pub(super) fn time(nanoseconds: u64) -> String {
+pub fn time(nanoseconds: u64) -> String {
     if (1..1_000_000_000).contains(&nanoseconds) && nanoseconds.is_multiple_of(1_000_000) {
         return format!("{} ms", nanoseconds / 1_000_000);
     }

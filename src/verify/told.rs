@@ -7,30 +7,31 @@ use crate::ir::{Diagram, Program, Sensor};
 
 /// A reading as it is written, and what it is then.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Number {
+pub struct Number {
     /// In the sensor's own unit.
-    pub(super) written: f64,
+    pub written: f64,
     /// In SI.
-    pub(super) si: f64,
+    pub si: f64,
 }
 
 impl Number {
     /// `None` for a number with more digits than a literal can have.
-    pub(super) fn new(written: f64, unit: &Unit) -> Option<Self> {
+    pub fn new(written: f64, unit: &Unit) -> Option<Self> {
         let exact = Exact::parse(&written.to_string())?.times(unit.scale)?;
         Some(Self { written, si: exact.to_f64() })
     }
 
-    fn exactly(si: Exact, unit: &Unit) -> Option<Self> {
+    /// The same for a number in SI, as near as it can be written.
+    pub fn exactly(si: Exact, unit: &Unit) -> Option<Self> {
         Self::new(si.over(unit.scale)?.to_f64(), unit)
     }
 }
 
 /// What each sensor of a robot says, in order; `None` for one that is known to have failed.
-pub(super) type Told = Vec<Option<Number>>;
+pub type Told = Vec<Option<Number>>;
 
 /// As the machine takes it.
-pub(super) fn readings(told: &Told) -> Vec<Reading> {
+pub fn readings(told: &Told) -> Vec<Reading> {
     let reading = |number: &Option<Number>| match number {
         Some(number) => Reading { value: number.si, healthy: true },
         None => Reading { value: f64::NAN, healthy: false },
@@ -40,11 +41,13 @@ pub(super) fn readings(told: &Told) -> Vec<Reading> {
 
 /// The same for some ticks.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Stretch {
-    pub(super) told: Told,
+pub struct Stretch {
+    /// What the sensors say.
+    pub told: Told,
     /// Whether the action of the mode has reported completion.
-    pub(super) done: bool,
-    pub(super) ticks: u64,
+    pub done: bool,
+    /// On how many ticks.
+    pub ticks: u64,
 }
 
 /// A kind of tick worth trying.

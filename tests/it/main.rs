@@ -33,6 +33,7 @@ mod promela;
 mod properties;
 mod random_modes;
 mod random_properties;
+mod repl;
 mod sessions;
 mod support;
 mod syntax;

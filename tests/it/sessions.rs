@@ -1,6 +1,6 @@
 //! What the documentation shows of the terminal is what the terminal shows.
 
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use crate::support::{files_below, root};
 
@@ -16,11 +16,17 @@ fn sessions(text: &str) -> Vec<(usize, Vec<&str>)> {
     found
 }
 
-/// What a command answers: results, then remarks.
+/// What a command answers: results, then remarks. Behind `<` stands the file that it reads.
 fn answer(command: &str) -> String {
+    let (command, input) = command.split_once(" < ").unwrap_or((command, ""));
     let words = command.split_whitespace().skip(1);
+    let input = match input {
+        "" => Stdio::null(),
+        path => std::fs::File::open(root().join(path)).unwrap().into(),
+    };
     let output = Command::new(env!("CARGO_BIN_EXE_lmslc"))
         .args(words)
+        .stdin(input)
         .current_dir(root())
         .env("COLUMNS", "100")
         .env("NO_COLOR", "1")

@@ -1,9 +1,9 @@
-//! Quantities as arguments: `3`, `-1.2`, `0.1kN`, `100 cm/s^2`.
+//! Quantities as people type them: `3`, `-1.2`, `0.1kN`, `100 cm/s^2`.
 
-use crate::base::{Exact, Unit};
+use super::{Exact, Unit};
 
 /// A number in `unit` where it names none, or in another unit of the same dimension; in SI.
-pub(super) fn quantity(text: &str, unit: &Unit) -> Option<Exact> {
+pub fn read_quantity(text: &str, unit: &Unit) -> Option<Exact> {
     let text = text.trim();
     let (number, written) = text.split_at(number_length(text));
     let scale = match written.trim() {
@@ -32,7 +32,7 @@ mod tests {
 
     #[test]
     fn a_number_takes_the_unit_it_names_or_the_one_it_is_for() {
-        let si = |text: &str, unit: &str| quantity(text, &Unit::parse(unit).unwrap()).map(Exact::to_f64);
+        let si = |text: &str, unit: &str| read_quantity(text, &Unit::parse(unit).unwrap()).map(Exact::to_f64);
         assert_eq!(si("0.1kN", "N"), Some(100.0));
         assert_eq!(si("100 cm/s^2", "m/s^2"), Some(1.0));
         assert_eq!(si("1e2", "N"), Some(100.0));

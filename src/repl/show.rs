@@ -1,0 +1,105 @@
+//! What is shown of the state.
+
+use super::name::Watched;
+use super::session::Session;
+use crate::interp::Taken;
+use crate::plan::Evidence;
+use crate::report::{self, Evaluated};
+use crate::sim;
+use crate::verify::{readings, time, written};
+
+/// The last change of mode: when, from where to where, and by what.
+pub(super) fn change(session: &Session<'_>) -> String {
+    let Some((tick, machine)) = &session.now.moved else { return String::new() };
+    let (plan, from, to) = (&session.driven.plan, session.mode(tick.from), session.mode(machine.mode()));
+    let way = match tick.taken {
+        Taken::Entered => format!("{to} is entered"),
+        Taken::Transition(index) => {
+            let transition = &plan.transitions[index as usize];
+            format!("{from} -> {to}  {}: {}", transition.priority, transition.text)
+        }
+        Taken::Lost { input, .. } => {
+            format!("{from} -> {to}  `{}` has failed, which {from} requires", plan.inputs[input as usize].name)
+        }
+        Taken::Stayed => return String::new(),
+    };
+    format!("  at {}: {way}\n", time(tick.time))
+}
+
+/// Where the machine is now.
+pub(super) fn place(session: &Session<'_>) -> String {
+    match &session.now.last {
+        Some(tick) => format!("  at {}: in {}\n", time(tick.time), session.mode(session.now.machine.mode())),
+        None => format!("  before the first tick of {}\n", session.driven.plan.name),
+    }
+}
+
+/// The mode, what it commands, and what the sensors say.
+pub(super) fn state(session: &Session<'_>) -> String {
+    let (plan, now) = (&session.driven.plan, &session.now);
+    let mut out = place(session);
+    for (action, arguments) in &now.commands {
+        let action = &plan.actions[*action as usize];
+        let arguments = action.parameters.iter().zip(arguments).map(|((_, unit), value)| unit.show(*value));
+        out += &format!("  commands {}({})\n", action.name, arguments.collect::<Vec<_>>().join(", "));
+    }
+    if now.done {
+        out += "  the action will be done on the next tick\n";
+    }
+    let width = plan.inputs.iter().map(|input| input.name.chars().count()).max().unwrap_or(0);
+    for ((input, value), failed) in plan.inputs.iter().zip(&now.values).zip(&now.failed) {
+        let said = if *failed { "failed".to_owned() } else { written(*value, &input.unit) };
+        out += &format!("  {:width$}  {said}\n", input.name);
+    }
+    out
+}
+
+/// The degrees, strengths and events of a sensed network on the last tick.
+pub(super) fn degrees(session: &Session<'_>, network: usize) -> String {
+    let plan = &session.driven.networks[network];
+    let all = session.now.last.as_ref().map_or_else(|| readings(&session.now.told()), |tick| tick.readings.clone());
+    let inputs = session.driven.plan.inputs.iter();
+    let place = |name: &str| inputs.clone().position(|input| input.name == name).unwrap_or_default();
+    let readings: Vec<_> = plan.inputs.iter().map(|input| all[place(&input.name)]).collect();
+    report::eval(&Evaluated { plan, evaluator: &session.now.evaluators[network], readings: &readings }, session.color)
+}
+
+/// What is watched, a line each.
+pub(super) fn watched(session: &Session<'_>) -> String {
+    let Some(tick) = &session.now.last else { return String::new() };
+    let (plan, machine) = (&session.driven.plan, &session.now.machine);
+    let evidence = |of| sim::evidence(plan, of, &tick.readings, machine, tick.dwell).text;
+    let yes_no = |holds| if holds { "yes" } else { "no" };
+    let said = |watched: Watched| match watched {
+        Watched::Input(index) => evidence(Evidence::Input(index as u32)),
+        Watched::Event(index) => {
+            let holds = yes_no(machine.bool(plan.events[index].flag));
+            format!("{holds}: {}", evidence(Evidence::Event(index as u32)))
+        }
+        Watched::Flag(index) => yes_no(machine.bool(plan.flags[index].value)).to_owned(),
+        Watched::Output(index) => plan.outputs[index].unit.show(machine.real(plan.outputs[index].value)),
+    };
+    let watched = &session.now.watched;
+    let width = watched.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    watched.iter().fold(String::new(), |out, (name, watched)| out + &format!("  {name:width$}  {}\n", said(*watched)))
+}
+
+/// Whether each watched event or flag holds; nothing of what is a number, or before the first tick.
+pub(super) fn watched_truths(session: &Session<'_>) -> Vec<Option<bool>> {
+    let (plan, machine) = (&session.driven.plan, &session.now.machine);
+    let holds = |watched: &Watched| match *watched {
+        Watched::Event(index) => Some(machine.bool(plan.events[index].flag)),
+        Watched::Flag(index) => Some(machine.bool(plan.flags[index].value)),
+        Watched::Input(_) | Watched::Output(_) => None,
+    };
+    session.now.watched.iter().map(|(_, watched)| holds(watched)).collect()
+}
+
+/// What is watched and has changed on the last tick.
+pub(super) fn watched_changes(session: &Session<'_>, before: &[Option<bool>]) -> String {
+    let now = watched_truths(session);
+    let at = time(session.now.time);
+    let changed = session.now.watched.iter().zip(now.iter().zip(before)).filter(|(_, (now, before))| now != before);
+    let line = |name: &str, holds: bool| format!("  at {at}: {name} is {}\n", if holds { "set" } else { "cleared" });
+    changed.filter_map(|((name, _), (now, _))| now.map(|holds| line(name, holds))).collect()
+}
