@@ -10,7 +10,7 @@ use lmslc::lsp::{Desk, Lines, serve};
 use lsp_server::{Connection, Message, Notification, Request, Response};
 use serde_json::{Value, json};
 
-/// A disk with some files, below `/work`.
+/// A disk with some files, below `/home/robot`.
 struct Shelf(HashMap<String, String>);
 
 impl Files for Shelf {
@@ -49,16 +49,16 @@ pub struct Client {
 }
 
 pub fn uri(name: &str) -> String {
-    format!("file:///work/{name}")
+    format!("file:///home/robot/{name}")
 }
 
 impl Client {
-    /// Greets a server whose disk has some files in `/work`.
+    /// Greets a server whose disk has some files in `/home/robot`.
     pub fn new(disk: &[(&str, &str)]) -> Self {
         let mut client = Self::unknown(disk);
         let greeting = client.request(
             "initialize",
-            json!({ "processId": null, "capabilities": {}, "workspaceFolders": [{ "uri": "file:///work", "name": "work" }] }),
+            json!({ "processId": null, "capabilities": {}, "workspaceFolders": [{ "uri": "file:///home/robot", "name": "work" }] }),
         );
         assert_eq!(greeting["serverInfo"]["name"], "lmslc");
         client.notify("initialized", json!({}));
@@ -67,7 +67,8 @@ impl Client {
 
     /// Starts a server without a greeting.
     pub fn unknown(disk: &[(&str, &str)]) -> Self {
-        let shelf = Shelf(disk.iter().map(|(name, text)| (format!("/work/{name}"), (*text).to_owned())).collect());
+        let shelf =
+            Shelf(disk.iter().map(|(name, text)| (format!("/home/robot/{name}"), (*text).to_owned())).collect());
         let (connection, other) = Connection::memory();
         let server = Some(std::thread::spawn(move || serve(&other, &shelf)));
         Self { connection, server, requests: 0, texts: HashMap::new(), found: BTreeMap::new() }
@@ -111,7 +112,7 @@ impl Client {
     fn keep(&mut self, message: Message) {
         let Message::Notification(told) = message else { panic!("{message:?}") };
         assert_eq!(told.method, "textDocument/publishDiagnostics");
-        let name = told.params["uri"].as_str().unwrap().trim_start_matches("file:///work/").to_owned();
+        let name = told.params["uri"].as_str().unwrap().trim_start_matches("file:///home/robot/").to_owned();
         self.found.insert(name, told.params["diagnostics"].as_array().unwrap().clone());
     }
 
@@ -174,7 +175,7 @@ impl Client {
     pub fn shown(location: &Value) -> String {
         let start = &location["range"]["start"];
         let (line, column) = (start["line"].as_u64().unwrap() + 1, start["character"].as_u64().unwrap() + 1);
-        let file = location["uri"].as_str().unwrap().trim_start_matches("file:///work/");
+        let file = location["uri"].as_str().unwrap().trim_start_matches("file:///home/robot/");
         format!("{file}:{line}:{column}")
     }
 

@@ -133,7 +133,7 @@ fn renaming_changes_every_file() {
     let changes = rename(&mut client, "wander.msd", "1: ", "bumped", "touched");
     let mut texts: Vec<(String, String)> = Vec::new();
     for (address, edits) in changes.as_object().unwrap() {
-        let name = address.trim_start_matches("file:///work/").to_owned();
+        let name = address.trim_start_matches("file:///home/robot/").to_owned();
         for edit in edits.as_array().unwrap() {
             assert_eq!(client.slice(&name, &edit["range"]), "bumped");
             assert_eq!(edit["newText"], "touched");
