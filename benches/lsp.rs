@@ -1,6 +1,8 @@
 //! How long an editor waits after a keystroke: `cargo bench --bench lsp`.
 #![expect(clippy::unwrap_used, reason = "a bench without its input has nothing to measure")]
 
+mod large;
+
 use std::cell::RefCell;
 
 use divan::{Bencher, counter::ItemsCount};
@@ -9,6 +11,8 @@ use lmslc::driver::{FileError, Files};
 use lmslc::lsp::{Desk, serve};
 use lsp_server::{Connection, Message, Notification, Request};
 use serde_json::{Value, json};
+
+use large::behavior;
 
 fn main() {
     divan::main();
@@ -35,19 +39,6 @@ impl Desk for Empty {
     fn library(&self) -> Option<String> {
         None
     }
-}
-
-/// A behavior of so many lines, five to a mode.
-fn behavior(lines: usize) -> String {
-    let modes = lines / 5;
-    let mut text = "import std.robots.j5\nbehavior big on j5 {\n    entry m0\n".to_owned();
-    for mode in 0..modes {
-        let (next, far) = ((mode + 1) % modes, (mode * 7 + 3) % modes);
-        text += &format!(
-            "    mode m{mode} {{\n        drive(26 cm/s)\n        1: after 100 ms and contact_force > 10 N and not failed(contact_force) -> m{far}\n        2: after 2 s -> m{next}\n    }}\n"
-        );
-    }
-    text + "}\n"
 }
 
 struct Editor {

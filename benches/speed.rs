@@ -1,6 +1,8 @@
 //! How fast the pipeline is: `cargo bench`.
 #![expect(clippy::unwrap_used, reason = "a bench without its input has nothing to measure")]
 
+mod large;
+
 use divan::{Bencher, black_box, counter::ItemsCount};
 use lmslc::base::{FileId, Id};
 use lmslc::driver::{Analysis, FileError, Files, Options, analyze};
@@ -8,6 +10,8 @@ use lmslc::interp::{Actuators, Columns, Evaluator, Inputs, Machine, Reading};
 use lmslc::sim::{self, RunOptions};
 use lmslc::syntax::{ast::FileKind, parse};
 use lmslc::{plan, report};
+
+use large::behavior;
 
 fn main() {
     divan::main();
@@ -23,19 +27,6 @@ impl Files for Text {
 
 fn check(text: &str) -> Analysis {
     analyze(&Text(text.to_owned()), &["main.msd".to_owned()], &Options::default())
-}
-
-/// A behavior of so many lines, five to a mode.
-fn behavior(lines: usize) -> String {
-    let modes = lines / 5;
-    let mut text = "import std.robots.j5\nbehavior big on j5 {\n    entry m0\n".to_owned();
-    for mode in 0..modes {
-        let (next, far) = ((mode + 1) % modes, (mode * 7 + 3) % modes);
-        text += &format!(
-            "    mode m{mode} {{\n        drive(26 cm/s)\n        1: after 100 ms and contact_force > 10 N and not failed(contact_force) -> m{far}\n        2: after 2 s -> m{next}\n    }}\n"
-        );
-    }
-    text + "}\n"
 }
 
 const MANIPULATION: &str = include_str!("../examples/j5/manipulation.msd");

@@ -4,12 +4,14 @@
 //! Crates: –
 
 mod builder;
+mod code;
 mod diagram;
 mod network;
 mod output;
 mod slabs;
 mod types;
 
+pub use code::*;
 pub use diagram::{build, build_alone, build_on, build_scenario};
 pub use network::build_network;
 pub use types::*;
