@@ -4,11 +4,18 @@ use clap::{Args, ValueEnum};
 
 use super::flags::AnalysisFlags;
 use super::terminal::{Terminal, exit_code};
-use super::{counterexamples, files, fix};
+use super::{counterexamples, files::Disk, fix, watch};
+use crate::driver::{Analysis, Options};
 use crate::report;
 
 /// Report everything that is wrong or doubtful in files.
 #[derive(Args)]
+#[command(after_help = "\
+Examples:
+  lmslc check .
+  lmslc check behaviors/ --watch
+  lmslc check patrol.msd --deny warnings --faults 2
+  lmslc check patrol.msd --fix")]
 pub(super) struct Check {
     /// Files, folders, or `-` for standard input
     #[arg(required = true)]
@@ -19,6 +26,9 @@ pub(super) struct Check {
     /// Change the files where that cannot change behavior, then report what is left
     #[arg(long)]
     fix: bool,
+    /// Check again whenever a file that is read changes, or one appears that would be
+    #[arg(short, long, conflicts_with = "fix")]
+    watch: bool,
     /// Write a scenario into a folder for each refuted property, which `lmslc run` then shows
     #[arg(long, value_name = "DIR")]
     counterexamples: Option<String>,
@@ -42,12 +52,27 @@ enum Format {
 
 impl Check {
     pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let look = if self.fix { fix::fix } else { files::analyze };
-        let analysis = look(&self.files, Some(&self.flags), terminal)?;
+        if self.watch {
+            watch::refuse(&self.files, matches!(self.format, Format::Human | Format::Short), terminal)?;
+            self.flags.apply(&mut Options::default(), terminal)?;
+            watch::rounds(terminal, |disk| {
+                self.round(&disk.analyze(&self.files, Some(&self.flags), terminal)?, terminal)
+            });
+        }
+        let analysis = if self.fix {
+            fix::fix(&self.files, Some(&self.flags), terminal)?
+        } else {
+            Disk::default().analyze(&self.files, Some(&self.flags), terminal)?
+        };
+        self.round(&analysis, terminal)
+    }
+
+    /// Reports what was found.
+    fn round(&self, analysis: &Analysis, terminal: &Terminal) -> Result<u8, u8> {
         match self.format {
             Format::Human => {
-                terminal.findings(&analysis);
-                if terminal.worth_saying(&analysis).is_empty() {
+                terminal.findings(analysis);
+                if terminal.worth_saying(analysis).is_empty() {
                     let count = analysis.roots.len();
                     let files = if count == 1 { "file" } else { "files" };
                     let known = match analysis.findings.as_slice() {
@@ -62,14 +87,14 @@ impl Check {
                     terminal.note(&format!("{count} {files} checked: {known}{proved}"));
                 }
             }
-            Format::Short => Terminal::print(&report::short(&terminal.worth_saying(&analysis), &analysis.sources)),
+            Format::Short => Terminal::print(&report::short(&terminal.worth_saying(analysis), &analysis.sources)),
             Format::Sarif => Terminal::print(&report::sarif(&analysis.findings, &analysis.sources)),
-            Format::Github => Terminal::print(&report::github(&terminal.worth_saying(&analysis), &analysis.sources)),
+            Format::Github => Terminal::print(&report::github(&terminal.worth_saying(analysis), &analysis.sources)),
             Format::Json => Terminal::print(&report::json(&analysis.findings, &analysis.sources)),
         }
         if let Some(folder) = &self.counterexamples {
-            counterexamples::write(&analysis, folder, terminal)?;
+            counterexamples::write(analysis, folder, terminal)?;
         }
-        Ok(exit_code(&analysis))
+        Ok(exit_code(analysis))
     }
 }

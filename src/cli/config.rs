@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 use toml::Spanned;
 
+use super::files::unread;
 use super::terminal::Terminal;
 use crate::base::{Sources, Span};
 use crate::diag::{self, Diagnostic, Level, Levels, find_rule, rules};
+use crate::driver::Files;
 
 const NAME: &str = "lmsl.toml";
 
@@ -24,10 +26,13 @@ struct Configuration {
 ///
 /// # Errors
 /// The exit code, where the configuration is wrong; that has been reported.
-pub(super) fn levels(file: &str, terminal: &Terminal) -> Result<Levels, u8> {
-    let Some(path) = find(file) else { return Ok(Levels::default()) };
-    let path = path.to_string_lossy().into_owned();
-    let text = super::files::read(&path, terminal)?;
+pub(super) fn levels(file: &str, files: &dyn Files, terminal: &Terminal) -> Result<Levels, u8> {
+    let known = places(file).into_iter().map(|path| path.to_string_lossy().into_owned());
+    let mut known = known.map(|path| (files.read(&path), path));
+    let Some((text, path)) = known.find(|(text, path)| text.is_ok() || Path::new(path).is_file()) else {
+        return Ok(Levels::default());
+    };
+    let text = text.map_err(|error| terminal.fail(&unread(&path, &error), None))?;
     parse(&path, &text).map_err(|(findings, sources)| {
         terminal.errors(&findings, &sources);
         super::USAGE
@@ -36,11 +41,19 @@ pub(super) fn levels(file: &str, terminal: &Terminal) -> Result<Levels, u8> {
 
 /// The configuration that holds for a file.
 pub(super) fn find(file: &str) -> Option<PathBuf> {
-    let folder = if file == "-" { Path::new("") } else { Path::new(file).parent()? };
-    let start = std::path::absolute(if folder.as_os_str().is_empty() { Path::new(".") } else { folder }).ok()?;
-    let here = std::env::current_dir().ok()?;
-    let found = start.ancestors().map(|folder| folder.join(NAME)).find(|path| path.is_file())?;
-    Some(found.strip_prefix(here).map(Path::to_path_buf).unwrap_or(found))
+    places(file).into_iter().find(|path| path.is_file())
+}
+
+/// Where the configuration for a file can lie, the nearest place first.
+fn places(file: &str) -> Vec<PathBuf> {
+    let folder = if file == "-" { Path::new(".") } else { Path::new(file).parent().unwrap_or(Path::new(".")) };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let (Ok(start), Ok(here)) = (std::path::absolute(folder), std::env::current_dir()) else { return Vec::new() };
+    let place = |folder: &Path| {
+        let path = folder.join(NAME);
+        path.strip_prefix(&here).map(Path::to_path_buf).unwrap_or(path)
+    };
+    start.ancestors().map(place).collect()
 }
 
 fn parse(path: &str, text: &str) -> Result<Levels, (Vec<Diagnostic>, Sources)> {

@@ -1,29 +1,145 @@
 //! Files on disk, and standard input.
 
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashSet};
 use std::io::Read;
 use std::path::Path;
 
 use super::{config, flags::AnalysisFlags, terminal::Terminal};
 use crate::driver::{self, Analysis, FileError, Files, Options};
 
-/// The disk, and standard input as `-`.
+/// The disk, and standard input as `-`. Keeps what it was asked and what it answered.
+#[derive(Default)]
 pub(super) struct Disk {
-    pub(super) stdin: Option<Result<String, FileError>>,
+    answers: RefCell<BTreeMap<Question, Answer>>,
+}
+
+/// What is asked of the disk.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Question {
+    /// The text of a file.
+    Text(String),
+    /// The files of the language below a folder.
+    Folder(String),
+}
+
+impl Question {
+    /// What the disk says now.
+    pub(super) fn ask(&self) -> Answer {
+        match self {
+            Question::Text(path) => Answer::Text(text_at(path)),
+            Question::Folder(path) => Answer::Folder(files_in(path)),
+        }
+    }
+}
+
+/// What it answers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Answer {
+    /// The text.
+    Text(Result<String, FileError>),
+    /// The paths, sorted; what to say where they cannot be had.
+    Folder(Result<Vec<String>, String>),
+}
+
+impl Disk {
+    fn ask<T>(&self, question: Question, answer: T, wrap: fn(T) -> Answer) -> T
+    where
+        T: Clone,
+    {
+        self.answers.borrow_mut().insert(question, wrap(answer.clone()));
+        answer
+    }
+
+    /// Everything it was asked, with its answers.
+    pub(super) fn into_answers(self) -> BTreeMap<Question, Answer> {
+        self.answers.into_inner()
+    }
+
+    fn folder(&self, path: &str) -> Result<Vec<String>, String> {
+        self.ask(Question::Folder(path.to_owned()), files_in(path), Answer::Folder)
+    }
+
+    /// Analyzes files, the files of folders, and `-`, under the project's configuration and the flags over it.
+    ///
+    /// # Errors
+    /// The exit code, where the arguments or the configuration are wrong; that has been reported.
+    pub(super) fn analyze(
+        &self,
+        paths: &[String],
+        flags: Option<&AnalysisFlags>,
+        terminal: &Terminal,
+    ) -> Result<Analysis, u8> {
+        let roots = self.expand(paths, terminal)?;
+        let levels = config::levels(roots.first().map_or("", String::as_str), self, terminal)?;
+        // What is run watches its properties instead: one that is refuted may well be run, to see why.
+        let mut options = Options { levels, verify: flags.is_some(), ..Options::default() };
+        if let Some(flags) = flags {
+            flags.apply(&mut options, terminal)?;
+        }
+        Ok(driver::analyze(self, &roots, &options))
+    }
+
+    /// Analyzes and shows what was found, for commands that go on from there.
+    ///
+    /// # Errors
+    /// As for [`Disk::analyze`].
+    pub(super) fn look(&self, paths: &[String], terminal: &Terminal) -> Result<Analysis, u8> {
+        let analysis = self.analyze(paths, None, terminal)?;
+        terminal.findings(&analysis);
+        Ok(analysis)
+    }
+
+    /// Paths with the files of folders in their places; a file that has several paths, under its first.
+    ///
+    /// # Errors
+    /// The exit code, where a folder cannot be read or holds no file of the language; that has been reported.
+    pub(super) fn expand(&self, paths: &[String], terminal: &Terminal) -> Result<Vec<String>, u8> {
+        let mut files = Vec::new();
+        for path in paths {
+            if path == "-" || !Path::new(path).is_dir() {
+                files.push(path.clone());
+                continue;
+            }
+            let found = self.folder(path).map_err(|message| terminal.fail(&message, None))?;
+            if found.is_empty() {
+                let message = format!("the folder `{path}` holds no `.msd` or `.fsfn` file");
+                let help = "hidden folders, caches, `target` and `node_modules` are passed over";
+                return Err(terminal.fail(&message, Some(help)));
+            }
+            files.extend(found);
+        }
+        let mut known = HashSet::new();
+        files.retain(|path| std::fs::canonicalize(path).map_or(true, |file| known.insert(file)));
+        Ok(files)
+    }
 }
 
 impl Files for Disk {
     fn read(&self, path: &str) -> Result<String, FileError> {
-        if path == "-" {
-            return self.stdin.clone().unwrap_or(Err(FileError::Missing));
+        // What was read from standard input cannot be read again.
+        let question = Question::Text(path.to_owned());
+        if path == "-"
+            && let Some(Answer::Text(text)) = self.answers.borrow().get(&question)
+        {
+            return text.clone();
         }
-        if Path::new(path).is_dir() {
-            return Err(FileError::Unreadable("it is a folder".to_owned()));
-        }
-        match std::fs::read(path) {
-            Ok(bytes) => text(bytes),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Err(FileError::Missing),
-            Err(error) => Err(FileError::Unreadable(error.to_string())),
-        }
+        self.ask(question, text_at(path), Answer::Text)
+    }
+}
+
+/// The text of a file, and standard input as `-`.
+fn text_at(path: &str) -> Result<String, FileError> {
+    if path == "-" {
+        return standard_input();
+    }
+    if Path::new(path).is_dir() {
+        return Err(FileError::Unreadable("it is a folder".to_owned()));
+    }
+    match std::fs::read(path) {
+        Ok(bytes) => text(bytes),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Err(FileError::Missing),
+        Err(error) => Err(FileError::Unreadable(error.to_string())),
     }
 }
 
@@ -37,64 +153,35 @@ fn standard_input() -> Result<String, FileError> {
     text(bytes)
 }
 
-/// Analyzes files, the files of folders, and `-`, under the project's configuration and the flags over it.
+/// Analyzes as [`Disk::look`] does, asking the disk once.
 ///
 /// # Errors
-/// The exit code, where the arguments or the configuration are wrong; that has been reported.
-pub(super) fn analyze(paths: &[String], flags: Option<&AnalysisFlags>, terminal: &Terminal) -> Result<Analysis, u8> {
-    let roots = expand(paths, terminal)?;
-    let levels = config::levels(roots.first().map_or("", String::as_str), terminal)?;
-    // What is run watches its properties instead: one that is refuted may well be run, to see why.
-    let mut options = Options { levels, verify: flags.is_some(), ..Options::default() };
-    if let Some(flags) = flags {
-        flags.apply(&mut options, terminal)?;
-    }
-    let stdin = roots.iter().any(|root| root == "-").then(standard_input);
-    Ok(driver::analyze(&Disk { stdin }, &roots, &options))
-}
-
-/// Paths with the files of folders in their places.
-///
-/// # Errors
-/// The exit code, where a folder cannot be read or holds no file of the language; that has been reported.
-pub(super) fn expand(paths: &[String], terminal: &Terminal) -> Result<Vec<String>, u8> {
-    let mut files = Vec::new();
-    for path in paths {
-        if path != "-" && Path::new(path).is_dir() {
-            let before = files.len();
-            if let Err(error) = collect(Path::new(path), &mut files) {
-                return Err(terminal.fail(&format!("the folder `{path}` cannot be read: {error}"), None));
-            }
-            if files.len() == before {
-                let message = format!("the folder `{path}` holds no `.msd` or `.fsfn` file");
-                return Err(terminal.fail(&message, None));
-            }
-        } else {
-            files.push(path.clone());
-        }
-    }
-    Ok(files)
-}
-
-/// Analyzes as [`analyze`] does and shows what was found, for commands that go on from there.
-///
-/// # Errors
-/// As for [`analyze`].
+/// As for [`Disk::analyze`].
 pub(super) fn look(paths: &[String], terminal: &Terminal) -> Result<Analysis, u8> {
-    let analysis = analyze(paths, None, terminal)?;
-    terminal.findings(&analysis);
-    Ok(analysis)
+    Disk::default().look(paths, terminal)
 }
 
-/// The files of the language in a folder and the folders in it, by name; hidden folders and `target` are passed over.
-fn collect(folder: &Path, files: &mut Vec<String>) -> std::io::Result<()> {
-    let mut entries = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
+/// The files of the language in a folder and the folders in it, by name.
+///
+/// # Errors
+/// What to say of a folder that cannot be read.
+fn files_in(folder: &str) -> Result<Vec<String>, String> {
+    let mut files = Vec::new();
+    collect(Path::new(folder), &mut files).map(|()| files)
+}
+
+/// Hidden folders, those that say to be caches (as cargo's do), `target` and `node_modules` are passed over.
+fn collect(folder: &Path, files: &mut Vec<String>) -> Result<(), String> {
+    let unread = |error| format!("the folder `{}` cannot be read: {error}", folder.display());
+    let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let mut entries = entries.map_err(unread)?;
     entries.sort_by_key(std::fs::DirEntry::path);
     for entry in entries {
         let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
         // Links to folders are not followed: they may lead in a circle.
-        if entry.file_type()?.is_dir() {
-            if !name.starts_with('.') && name != "target" {
+        if entry.file_type().map_err(unread)?.is_dir() {
+            let is_ours = !name.starts_with('.') && name != "target" && name != "node_modules";
+            if is_ours && !path.join("CACHEDIR.TAG").exists() {
                 collect(&path, files)?;
             }
         } else if path.extension().is_some_and(|ending| ending == "msd" || ending == "fsfn") {
@@ -114,14 +201,19 @@ pub(super) fn below(folder: &str) -> Vec<String> {
 
 /// Where the user's system keeps what programs can make again; `None` where it does not say.
 pub(super) fn user_cache() -> Option<String> {
+    user_folder("XDG_CACHE_HOME", "Library/Caches", ".cache")
+}
+
+/// A folder that a variable names, else the one of the system, below the user's home.
+fn user_folder(variable: &str, of_macos: &str, of_others: &str) -> Option<String> {
     let said = |name: &str| std::env::var(name).ok().filter(|path| Path::new(path).is_absolute());
     let below_home = |folder: &str| said("HOME").map(|home| format!("{home}/{folder}"));
     let system = match std::env::consts::OS {
         "windows" => said("LOCALAPPDATA"),
-        "macos" => below_home("Library/Caches"),
-        _ => below_home(".cache"),
+        "macos" => below_home(of_macos),
+        _ => below_home(of_others),
     };
-    said("XDG_CACHE_HOME").or(system).map(|path| path.replace('\\', "/"))
+    said(variable).or(system).map(|path| path.replace('\\', "/"))
 }
 
 /// Writes a text that is not meant to be changed to a file, where it does not stand there already.
@@ -204,23 +296,22 @@ pub(super) fn make_folder(path: &str, terminal: &Terminal) -> Result<(), u8> {
 /// # Errors
 /// The exit code; the reason has been reported.
 pub(super) fn read(path: &str, terminal: &Terminal) -> Result<String, u8> {
-    let text = if path == "-" { standard_input().map_err(|error| unread(path, error)) } else { text_of(path) };
-    text.map_err(|message| terminal.fail(&message, None))
+    text_of(path).map_err(|message| terminal.fail(&message, None))
 }
 
-/// The text of a file on disk.
+/// The text of a file, and standard input as `-`.
 ///
 /// # Errors
 /// What to say of it.
 pub(super) fn text_of(path: &str) -> Result<String, String> {
-    Disk { stdin: None }.read(path).map_err(|error| unread(path, error))
+    text_at(path).map_err(|error| unread(path, &error))
 }
 
-fn unread(path: &str, error: FileError) -> String {
+pub(super) fn unread(path: &str, error: &FileError) -> String {
     let reason = match error {
         FileError::Missing => "there is no such file".to_owned(),
         FileError::NotUtf8 { byte } => format!("it is not UTF-8 text from byte {byte} on"),
-        FileError::Unreadable(reason) => reason,
+        FileError::Unreadable(reason) => reason.clone(),
     };
     format!("`{path}` cannot be read: {reason}")
 }

@@ -1,6 +1,6 @@
 //! `lmslc check --fix`: carries out the fixes that cannot change behavior.
 
-use super::files;
+use super::files::{self, Disk};
 use super::flags::AnalysisFlags;
 use super::terminal::Terminal;
 use crate::diag::apply_fixes;
@@ -19,7 +19,7 @@ pub(super) fn fix(paths: &[String], flags: Option<&AnalysisFlags>, terminal: &Te
     if paths.iter().any(|path| path == "-") {
         return Err(terminal.fail("standard input cannot be fixed", Some("give the file by its name")));
     }
-    let mut analysis = files::analyze(paths, flags, terminal)?;
+    let mut analysis = Disk::default().analyze(paths, flags, terminal)?;
     let mut count = 0;
     for _ in 0..ROUNDS {
         let writable = |file| analysis.roots.contains(&file) && !analysis.sources.path(file).starts_with("std/");
@@ -33,7 +33,7 @@ pub(super) fn fix(paths: &[String], flags: Option<&AnalysisFlags>, terminal: &Te
             files::write(analysis.sources.path(file), text.as_bytes(), terminal)?;
         }
         count += fixed.count;
-        analysis = files::analyze(paths, flags, terminal)?;
+        analysis = Disk::default().analyze(paths, flags, terminal)?;
     }
     terminal.note(&format!("{count} finding{} fixed", if count == 1 { "" } else { "s" }));
     Ok(analysis)

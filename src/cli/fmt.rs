@@ -3,7 +3,7 @@
 use clap::Args;
 use similar::TextDiff;
 
-use super::files;
+use super::files::{self, Disk};
 use super::terminal::Terminal;
 use crate::base::Sources;
 use crate::driver;
@@ -29,7 +29,7 @@ pub(super) struct Fmt {
 
 impl Fmt {
     pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let paths = files::expand(&self.files, terminal)?;
+        let paths = Disk::default().expand(&self.files, terminal)?;
         let (mut changed, mut broken) = (0, 0);
         for path in &paths {
             let text = files::read(path, terminal)?;

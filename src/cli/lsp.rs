@@ -2,8 +2,9 @@
 
 use clap::Args;
 
+use super::config;
+use super::files::{self, Disk};
 use super::terminal::Terminal;
-use super::{config, files};
 use crate::diag::Levels;
 use crate::driver::{self, FileError, Files};
 use crate::lsp::{self, Desk};
@@ -33,7 +34,7 @@ struct Machine<'a> {
 
 impl Files for Machine<'_> {
     fn read(&self, path: &str) -> Result<String, FileError> {
-        files::Disk { stdin: None }.read(path)
+        Disk::default().read(path)
     }
 }
 
@@ -43,7 +44,7 @@ impl Desk for Machine<'_> {
     }
 
     fn levels(&self, path: &str) -> Levels {
-        config::levels(path, self.terminal).unwrap_or_default()
+        config::levels(path, self, self.terminal).unwrap_or_default()
     }
 
     fn library(&self) -> Option<String> {

@@ -24,6 +24,7 @@ mod run;
 mod script;
 mod terminal;
 mod test;
+mod watch;
 
 pub use script::build;
 

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::terminal::Terminal;
-use super::{When, build::explain, config, files};
+use super::{When, build::explain, config, files::Disk};
 use crate::base::Sources;
 use crate::diag::{Diagnostic, Severity};
 use crate::emit::Options;
@@ -38,7 +38,8 @@ fn compile(file: &str, options: &Options, folder: Option<&Path>) -> Vec<String> 
     let failed = |message: String| format!("cargo::error={message}");
     let configuration = config::find(file).map(|path| changes(&path.to_string_lossy()));
     let mut lines: Vec<String> = configuration.into_iter().collect();
-    let Ok(analysis) = files::analyze(&[file.to_owned()], None, &Terminal::new(When::Never, Severity::Warning)) else {
+    let terminal = Terminal::new(When::Never, Severity::Warning);
+    let Ok(analysis) = Disk::default().analyze(&[file.to_owned()], None, &terminal) else {
         lines.push(changes(file));
         lines.push(failed(format!("`{file}` cannot be compiled; what is wrong stands above")));
         return lines;

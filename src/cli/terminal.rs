@@ -33,6 +33,11 @@ impl Terminal {
         }
     }
 
+    /// Whether a terminal can do more than print lines.
+    pub(super) fn can_draw() -> bool {
+        std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+    }
+
     /// Columns of the terminal, 100 where the output is no terminal that says.
     pub(super) fn width() -> usize {
         std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok()).unwrap_or(100)

@@ -3,9 +3,11 @@
 use clap::Args;
 use rayon::prelude::*;
 
-use super::files;
+use super::files::Disk;
 use super::run::{Format, outcome, scenarios};
 use super::terminal::{Terminal, exit_code};
+use super::watch;
+use crate::ir::Scenario;
 use crate::sim::{self, RunOptions};
 use crate::{plan, report};
 
@@ -26,6 +28,9 @@ pub(super) struct Test {
     /// Also list the modes, transitions and rules that no scenario went through
     #[arg(long)]
     coverage: bool,
+    /// Test again whenever a file that is read changes, or one appears that would be
+    #[arg(short, long)]
+    watch: bool,
     /// How to report
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     format: Format,
@@ -33,20 +38,27 @@ pub(super) struct Test {
 
 impl Test {
     pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
-        let analysis = files::look(&self.files, terminal)?;
+        if self.watch {
+            watch::refuse(&self.files, matches!(self.format, Format::Human), terminal)?;
+            watch::rounds(terminal, |disk| self.round(disk, terminal));
+        }
+        self.round(&Disk::default(), terminal)
+    }
+
+    /// Runs the scenarios and reports them.
+    fn round(&self, disk: &Disk, terminal: &Terminal) -> Result<u8, u8> {
+        let analysis = disk.look(&self.files, terminal)?;
         let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
         let mut chosen = scenarios(&analysis);
         chosen.retain(|scenario| scenario.symbol.name.contains(&self.filter));
         if chosen.is_empty() {
             return Err(terminal.fail("there is no scenario to run", Some("check the files, and --filter")));
         }
-        let runs: Vec<_> = chosen
-            .par_iter()
-            .map(|scenario| {
-                let plan = plan::build_scenario(checked, scenario);
-                sim::run(&analysis.program, &plan, scenario, &RunOptions::default())
-            })
-            .collect();
+        let run = |scenario: &&Scenario| {
+            let plan = plan::build_scenario(checked, scenario);
+            sim::run(&analysis.program, &plan, scenario, &RunOptions::default())
+        };
+        let runs: Vec<_> = chosen.par_iter().map(run).collect();
         let (mut passed, mut failed) = (0, 0);
         for (scenario, run) in chosen.iter().zip(&runs) {
             let path = analysis.sources.path(scenario.symbol.span.file);
@@ -85,7 +97,7 @@ impl Test {
     }
 }
 
-fn line(word: &str, path: &str, scenario: &crate::ir::Scenario, expectations: usize, terminal: &Terminal) -> String {
+fn line(word: &str, path: &str, scenario: &Scenario, expectations: usize, terminal: &Terminal) -> String {
     let (color, plain) = match (terminal.color_out, word) {
         (false, _) => ("", ""),
         (true, "ok") => ("\x1b[32m", "\x1b[0m"),

@@ -34,6 +34,7 @@ mod properties;
 mod random_modes;
 mod random_properties;
 mod repl;
+mod rounds;
 mod sessions;
 mod support;
 mod syntax;
