@@ -43,7 +43,9 @@ impl Faults {
         if analysis.checked().is_none() {
             return Err(exit_code(&analysis));
         }
+        let progress = terminal.progress(0, "looking at every set of failed sensors");
         let table = analysis::fault_table(&analysis.program, &analysis.roots, self.up_to);
+        drop(progress);
         if table.rows.iter().all(|row| row.events.is_empty() && row.modes.is_empty()) {
             return Err(terminal.fail(&format!("`{}` holds no behavior or network with an event", self.file), None));
         }

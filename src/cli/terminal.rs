@@ -3,6 +3,7 @@
 use std::io::{IsTerminal, Write};
 
 use super::When;
+use super::progress::Progress;
 use crate::base::Sources;
 use crate::diag::{Diagnostic, Severity, rules};
 use crate::driver::Analysis;
@@ -36,6 +37,12 @@ impl Terminal {
     /// Whether a terminal can do more than print lines.
     pub(super) fn can_draw() -> bool {
         std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+    }
+
+    /// Shows on a terminal how far so many items are, 0 where nobody knows.
+    pub(super) fn progress(&self, items: usize, what: &'static str) -> Progress {
+        let is_wanted = self.least < Severity::Error && !is_set("NO_COLOR") && !is_set("CI");
+        Progress::new(items, what, is_wanted && Self::can_draw() && std::io::stderr().is_terminal())
     }
 
     /// Columns of the terminal, 100 where the output is no terminal that says.
@@ -91,6 +98,11 @@ impl Terminal {
             self.note(&report::summary(&shown));
         }
     }
+}
+
+/// Whether a variable of the environment says something.
+fn is_set(name: &str) -> bool {
+    std::env::var_os(name).is_some_and(|value| !value.is_empty())
 }
 
 /// The exit code that findings call for.

@@ -54,11 +54,15 @@ impl Test {
         if chosen.is_empty() {
             return Err(terminal.fail("there is no scenario to run", Some("check the files, and --filter")));
         }
+        let progress = terminal.progress(chosen.len(), "scenarios run");
         let run = |scenario: &&Scenario| {
             let plan = plan::build_scenario(checked, scenario);
-            sim::run(&analysis.program, &plan, scenario, &RunOptions::default())
+            let run = sim::run(&analysis.program, &plan, scenario, &RunOptions::default());
+            progress.advance();
+            run
         };
         let runs: Vec<_> = chosen.par_iter().map(run).collect();
+        drop(progress);
         let (mut passed, mut failed) = (0, 0);
         for (scenario, run) in chosen.iter().zip(&runs) {
             let path = analysis.sources.path(scenario.symbol.span.file);

@@ -38,6 +38,7 @@ mod rounds;
 mod sessions;
 mod support;
 mod syntax;
+mod terminal;
 mod tick;
 mod trials;
 mod unused;
