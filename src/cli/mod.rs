@@ -1,7 +1,7 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
 //! Imports: analysis, base, diag, driver, emit, interp, ir, lsp, plan, repl, report, sim, view
-//! Crates: clap, clap_complete, clap_mangen, indicatif, rayon, reedline, serde, similar, toml
+//! Crates: clap, clap_complete, clap_mangen, indicatif, rayon, reedline, serde, similar, terminal_size, toml
 #![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
 
 mod build;

@@ -21,9 +21,11 @@ pub(super) struct Terminal {
 
 impl Terminal {
     pub(super) fn new(color: When, least: Severity) -> Self {
-        let allowed = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-        let wanted = |terminal: bool| match color {
-            When::Auto => terminal && allowed,
+        let is_forced =
+            is_set("CLICOLOR_FORCE") && std::env::var_os("CLICOLOR_FORCE").is_some_and(|value| value != "0");
+        let is_allowed = !is_set("NO_COLOR");
+        let wanted = |is_terminal: bool| match color {
+            When::Auto => is_allowed && (is_forced || is_terminal && Self::can_draw()),
             When::Always => true,
             When::Never => false,
         };
@@ -45,9 +47,11 @@ impl Terminal {
         Progress::new(items, what, is_wanted && Self::can_draw() && std::io::stderr().is_terminal())
     }
 
-    /// Columns of the terminal, 100 where the output is no terminal that says.
+    /// Columns of the terminal, 100 where the output is none; `COLUMNS` goes before both.
     pub(super) fn width() -> usize {
-        std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok()).unwrap_or(100)
+        let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
+        let seen = || terminal_size::terminal_size_of(std::io::stdout()).map(|(width, _)| usize::from(width.0));
+        said.or_else(seen).filter(|columns| *columns > 0).unwrap_or(100)
     }
 
     /// A result, on standard output. A reader that has gone away is no error of ours.

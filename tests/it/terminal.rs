@@ -1,4 +1,4 @@
-//! What stands on a terminal that does not stand in a file: how far a command is.
+//! What stands on a terminal that does not stand in a file: progress, colors, its width.
 
 use std::process::{Command, Stdio};
 
@@ -73,3 +73,25 @@ fn progress_is_for_terminals_that_want_it_and_for_long_runs() {
     assert_eq!(String::from_utf8(output.stderr).unwrap(), format!("{count} passed, 0 failed\n"));
 }
 
+#[test]
+fn colors_are_for_terminals_unless_the_environment_or_a_flag_says_otherwise() {
+    let folder = folder("behavior");
+    let has_color = |text: &str| text.contains("\u{1b}[");
+    let arguments = ["check", "many.msd"];
+    assert!(has_color(&on_a_terminal(command(&folder, &arguments))));
+    for (name, value) in [("NO_COLOR", "1"), ("TERM", "dumb")] {
+        let mut command = command(&folder, &arguments);
+        command.env(name, value);
+        assert!(!has_color(&on_a_terminal(command)), "{name}");
+    }
+    let piped = |arguments: &[&str], environment: &[(&str, &str)]| {
+        let output = command(&folder, arguments).envs(environment.iter().copied()).output().unwrap();
+        has_color(&String::from_utf8(output.stderr).unwrap())
+    };
+    assert!(!piped(&arguments, &[]));
+    assert!(piped(&arguments, &[("CLICOLOR_FORCE", "1")]));
+    assert!(!piped(&arguments, &[("CLICOLOR_FORCE", "0")]));
+    assert!(!piped(&arguments, &[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]));
+    assert!(piped(&["check", "many.msd", "--color", "always"], &[("NO_COLOR", "1")]));
+    assert!(!piped(&["check", "many.msd", "--color", "never"], &[("CLICOLOR_FORCE", "1")]));
+}
