@@ -8,6 +8,7 @@ mod load;
 mod name;
 mod session;
 mod show;
+mod twin;
 mod why;
 
 pub use command::{COMMANDS, Takes, Usage};

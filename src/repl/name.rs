@@ -2,6 +2,7 @@
 
 use super::Refusal;
 use super::command::{COMMANDS, Takes};
+use super::twin::Twin;
 use crate::diag;
 use crate::plan::Plan;
 
@@ -11,15 +12,17 @@ pub struct Names {
     sensors: Vec<String>,
     networks: Vec<String>,
     watchable: Vec<String>,
+    modes: Vec<String>,
 }
 
-/// Something to be shown after every step, by its position in the plan.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Watched {
+/// Something to be shown after every step: by its position in the plan, or a condition of its own.
+#[derive(Debug, Clone)]
+pub(super) enum Watched<'d> {
     Input(usize),
     Event(usize),
     Flag(usize),
     Output(usize),
+    Condition(Box<Twin<'d>>),
 }
 
 impl Names {
@@ -28,33 +31,38 @@ impl Names {
             sensors: plan.inputs.iter().map(|input| input.name.clone()).collect(),
             networks: plan.senses.iter().map(|sense| sense.name.clone()).collect(),
             watchable: watchable(plan).into_iter().map(|(name, _)| name.to_owned()).collect(),
+            modes: plan.modes.iter().map(|mode| mode.name.clone()).collect(),
         }
     }
 
     /// The words that can stand where a line ends, and where the one that they complete begins in it, in bytes.
     pub fn complete(&self, line: &str) -> (usize, Vec<&str>) {
-        let start = line.rfind([' ', '=']).map_or(0, |space| space + 1);
+        let start = line.trim_end_matches(is_of_name).len();
         let begun = line.get(start..).unwrap_or_default();
         let before = line.get(..start).unwrap_or_default().trim();
-        let known: Vec<&str> = match before {
-            "" => COMMANDS.iter().map(|usage| usage.word).collect(),
-            word => self.behind(word).iter().map(String::as_str).collect(),
+        let known: Vec<&str> = match before.split_once(' ') {
+            None if before.is_empty() => COMMANDS.iter().map(|usage| usage.word).collect(),
+            None => self.behind(before).collect(),
+            // Only a condition has names further on.
+            Some((word, _)) if word == "watch" => self.behind(word).collect(),
+            Some(_) => Vec::new(),
         };
         (start, known.into_iter().filter(|known| known.starts_with(begun)).collect())
     }
 
     /// Whether a word is one that some command takes.
     pub fn knows(&self, word: &str) -> bool {
-        [&self.sensors, &self.networks, &self.watchable].into_iter().flatten().any(|known| known == word)
+        [&self.sensors, &self.networks, &self.watchable, &self.modes].into_iter().flatten().any(|known| known == word)
     }
 
-    fn behind(&self, word: &str) -> &[String] {
-        match COMMANDS.iter().find(|usage| usage.word == word).map(|usage| usage.takes) {
-            Some(Takes::Sensor) => &self.sensors,
-            Some(Takes::Network) => &self.networks,
-            Some(Takes::Watchable) => &self.watchable,
-            Some(Takes::Other) | None => &[],
-        }
+    fn behind(&self, word: &str) -> impl Iterator<Item = &str> {
+        let names: [&[String]; 2] = match COMMANDS.iter().find(|usage| usage.word == word).map(|usage| usage.takes) {
+            Some(Takes::Sensor) => [&self.sensors, &[]],
+            Some(Takes::Network) => [&self.networks, &[]],
+            Some(Takes::Watchable) => [&self.watchable, &self.modes],
+            Some(Takes::Other) | None => [&[], &[]],
+        };
+        names.into_iter().flatten().map(String::as_str)
     }
 
     pub(super) fn sensor(&self, name: &str) -> Result<usize, Refusal> {
@@ -65,9 +73,16 @@ impl Names {
         find(name, &self.networks, "sensed network")
     }
 
-    pub(super) fn watched(&self, name: &str, plan: &Plan) -> Result<Watched, Refusal> {
-        let position = find(name, &self.watchable, "sensor, event, flag or output")?;
-        Ok(watchable(plan)[position].1)
+    /// What a text names; `None` where it is a condition, which names more.
+    pub(super) fn watched(&self, text: &str, plan: &Plan) -> Result<Option<Watched<'static>>, Refusal> {
+        let is_condition =
+            !text.chars().all(is_of_name) || text == "done" || self.modes.iter().any(|mode| mode == text);
+        if is_condition && self.watchable.iter().all(|known| known != text) {
+            return Ok(None);
+        }
+        let all = [self.watchable.as_slice(), &self.modes].concat();
+        let position = find(text, &all, "sensor, event, flag, output or mode")?;
+        Ok(watchable(plan).into_iter().nth(position).map(|(_, watched)| watched))
     }
 }
 
@@ -82,14 +97,20 @@ fn find(name: &str, known: &[String], what: &str) -> Result<usize, Refusal> {
 
 /// What can be watched, under the shortest name that tells it from the others: events and outputs without their network
 /// where nothing else is named so.
-fn watchable(plan: &Plan) -> Vec<(&str, Watched)> {
+fn watchable<'p>(plan: &'p Plan) -> Vec<(&'p str, Watched<'static>)> {
     let inputs = plan.inputs.iter().enumerate().map(|(index, input)| (input.name.as_str(), Watched::Input(index)));
     let flags = plan.flags.iter().enumerate().map(|(index, flag)| (flag.name.as_str(), Watched::Flag(index)));
     let events = plan.events.iter().enumerate().map(|(index, event)| (event.name.as_str(), Watched::Event(index)));
     let outputs = plan.outputs.iter().enumerate().map(|(index, of)| (of.name.as_str(), Watched::Output(index)));
-    let all: Vec<(&str, Watched)> = inputs.chain(flags).chain(events).chain(outputs).collect();
+    let all: Vec<(&str, Watched<'static>)> = inputs.chain(flags).chain(events).chain(outputs).collect();
     let alone = |name: &str| all.iter().filter(|(other, _)| short(other) == name).count() == 1;
-    all.iter().map(|&(name, watched)| (if alone(short(name)) { short(name) } else { name }, watched)).collect()
+    let shortest = |name: &'p str| if alone(short(name)) { short(name) } else { name };
+    all.iter().map(|(name, watched)| (shortest(name), watched.clone())).collect()
+}
+
+/// Whether a letter can be part of a name, also of one behind another.
+fn is_of_name(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_' || letter == '.'
 }
 
 /// What stands behind the last dot.

@@ -2,6 +2,7 @@
 
 use super::command::{Command, Length, help, parse};
 use super::name::{Names, Watched};
+use super::twin::{Plans, Twin};
 use super::{Refusal, load, show, why};
 use crate::base::{FileId, Id, read_quantity};
 use crate::interp::{Actuators, Evaluator, Inputs, Machine, Reading, Taken};
@@ -27,6 +28,7 @@ pub struct Driven<'a> {
     pub(super) plan: Plan,
     /// The networks it senses, fed by its sensors.
     pub(super) networks: Vec<NetworkPlan>,
+    twins: Plans,
 }
 
 impl<'a> Driven<'a> {
@@ -43,7 +45,7 @@ impl<'a> Driven<'a> {
             NetworkPlan { name: sense.symbol.name.clone(), inputs, ..plan::build_network(checked, sense.network) }
         });
         let networks = networks.collect();
-        Self { checked, diagram, platform, tick, plan, networks }
+        Self { checked, diagram, platform, tick, plan, networks, twins: Plans::default() }
     }
 }
 
@@ -54,6 +56,8 @@ pub enum Reply {
     Text(String),
     /// A scenario is to be written.
     Save(Saved),
+    /// What [`Session::watch`] is to watch is to be made of this condition.
+    Watch(String),
     /// The text of a trace is to be read from this path and given to [`Session::load`].
     Load(String),
     /// The session is over.
@@ -105,7 +109,7 @@ pub(super) struct State<'d> {
     pub(super) last: Option<Tick>,
     /// The last tick on which a transition was taken, and the machine after it.
     pub(super) moved: Option<(Tick, Machine<'d>)>,
-    pub(super) watched: Vec<(String, Watched)>,
+    pub(super) watched: Vec<(String, Watched<'d>)>,
 }
 
 /// A tick.
@@ -119,6 +123,13 @@ pub(super) struct Tick {
     /// How long that mode had been active, in nanoseconds.
     pub(super) dwell: u64,
     pub(super) readings: Vec<Reading>,
+}
+
+/// Does nothing of what the machine commands.
+pub(super) struct Nobody;
+
+impl Actuators for Nobody {
+    fn command(&mut self, _action: u32, _arguments: &[f64], _start: bool) {}
 }
 
 /// Takes down what the machine commands.
@@ -167,7 +178,7 @@ impl<'d> State<'d> {
     pub(super) fn mode_after(&self, driven: &Driven<'_>, done: bool) -> u32 {
         let mut machine = self.machine.clone();
         let inputs = Inputs { readings: &readings(&self.told()), done };
-        machine.step(inputs, self.next(driven), &mut Heard(&mut Vec::new()));
+        machine.step(inputs, self.next(driven), &mut Nobody);
         machine.mode()
     }
 
@@ -185,6 +196,11 @@ impl<'d> State<'d> {
             let safe = sense.readings.iter().take(network.inputs.len()).map(|&real| self.machine.real(real));
             let safe: Vec<Reading> = safe.map(|value| Reading { value, healthy: true }).collect();
             evaluator.evaluate(&safe, dt);
+        }
+        for (_, watched) in &mut self.watched {
+            if let Watched::Condition(twin) = watched {
+                twin.step(Inputs { readings: &readings, done }, dt);
+            }
         }
         match self.stretches.last_mut() {
             Some(last) if (&last.told, last.done) == (&told, done) => last.ticks += 1,
@@ -247,7 +263,8 @@ impl<'d> Session<'d> {
             Command::Show => show::state(self),
             Command::Why => why::why(self)?,
             Command::Degrees(network) => self.degrees(network.as_deref())?,
-            Command::Watch(name) => self.watch(name.as_deref())?,
+            Command::Watch(None) => show::watched(self),
+            Command::Watch(Some(text)) => return self.watch_text(text),
             Command::Unwatch(name) => self.unwatch(&name)?,
             Command::Save(path) => return self.save(&path).map(Reply::Save),
             Command::Load(path) => return Ok(Reply::Load(path)),
@@ -261,10 +278,23 @@ impl<'d> Session<'d> {
     /// # Errors
     /// Why that is no trace of a run that can be replayed; nothing has changed then.
     pub fn load(&mut self, text: &str) -> Result<String, Refusal> {
-        let fresh = State { watched: self.now.watched.clone(), ..State::new(self.driven) };
+        let afresh = |watched: &Watched<'d>| match watched {
+            Watched::Condition(twin) => Watched::Condition(Box::new(twin.afresh(SEED))),
+            other => other.clone(),
+        };
+        let watched = self.now.watched.iter().map(|(name, watched)| (name.clone(), afresh(watched))).collect();
+        let fresh = State { watched, ..State::new(self.driven) };
         let (state, answer) = load::load(self, fresh, text)?;
         self.change(|now| *now = state);
         Ok(answer)
+    }
+
+    /// Watches a condition, given as it was written and as a plan of what is driven that watches it alone. Linear in the
+    /// ticks of the session.
+    pub fn watch(&mut self, text: &str, plan: Plan) -> String {
+        let mut twin = Twin::new(self.driven.twins.keep(plan), SEED);
+        twin.follow(&self.now.stretches, self.driven.tick);
+        self.add_watched(text, Watched::Condition(Box::new(twin)))
     }
 
     pub(super) fn mode(&self, mode: u32) -> &'d str {
@@ -373,15 +403,19 @@ impl<'d> Session<'d> {
         }
     }
 
-    fn watch(&mut self, name: Option<&str>) -> Result<String, Refusal> {
-        if let Some(name) = name {
-            let watched = self.names.watched(name, &self.driven.plan)?;
-            if self.now.watched.iter().any(|(_, known)| *known == watched) {
-                return Err(Refusal::new(format!("`{name}` is watched already")));
-            }
-            self.change(|now| now.watched.push((name.to_owned(), watched)));
+    fn watch_text(&mut self, text: String) -> Result<Reply, Refusal> {
+        if self.now.watched.iter().any(|(known, _)| *known == text) {
+            return Err(Refusal::new(format!("`{text}` is watched already")));
         }
-        Ok(show::watched(self))
+        Ok(match self.names.watched(&text, &self.driven.plan)? {
+            Some(watched) => Reply::Text(self.add_watched(&text, watched)),
+            None => Reply::Watch(text),
+        })
+    }
+
+    fn add_watched(&mut self, text: &str, watched: Watched<'d>) -> String {
+        self.change(|now| now.watched.push((text.to_owned(), watched)));
+        show::watched(self)
     }
 
     fn unwatch(&mut self, name: &str) -> Result<String, Refusal> {

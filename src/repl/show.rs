@@ -70,7 +70,7 @@ pub(super) fn watched(session: &Session<'_>) -> String {
     let (plan, machine) = (&session.driven.plan, &session.now.machine);
     let evidence = |of| sim::evidence(plan, of, &tick.readings, machine, tick.dwell).text;
     let yes_no = |holds| if holds { "yes" } else { "no" };
-    let said = |watched: Watched| match watched {
+    let said = |watched: &Watched<'_>| match *watched {
         Watched::Input(index) => evidence(Evidence::Input(index as u32)),
         Watched::Event(index) => {
             let holds = yes_no(machine.bool(plan.events[index].flag));
@@ -78,18 +78,20 @@ pub(super) fn watched(session: &Session<'_>) -> String {
         }
         Watched::Flag(index) => yes_no(machine.bool(plan.flags[index].value)).to_owned(),
         Watched::Output(index) => plan.outputs[index].unit.show(machine.real(plan.outputs[index].value)),
+        Watched::Condition(ref twin) => yes_no(twin.holds()).to_owned(),
     };
     let watched = &session.now.watched;
     let width = watched.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    watched.iter().fold(String::new(), |out, (name, watched)| out + &format!("  {name:width$}  {}\n", said(*watched)))
+    watched.iter().fold(String::new(), |out, (name, watched)| out + &format!("  {name:width$}  {}\n", said(watched)))
 }
 
-/// Whether each watched event or flag holds; nothing of what is a number, or before the first tick.
+/// Whether each watched event, flag or condition holds; nothing of what is a number, or before the first tick.
 pub(super) fn watched_truths(session: &Session<'_>) -> Vec<Option<bool>> {
     let (plan, machine) = (&session.driven.plan, &session.now.machine);
-    let holds = |watched: &Watched| match *watched {
+    let holds = |watched: &Watched<'_>| match *watched {
         Watched::Event(index) => Some(machine.bool(plan.events[index].flag)),
         Watched::Flag(index) => Some(machine.bool(plan.flags[index].value)),
+        Watched::Condition(ref twin) => Some(twin.holds()),
         Watched::Input(_) | Watched::Output(_) => None,
     };
     session.now.watched.iter().map(|(_, watched)| holds(watched)).collect()
@@ -100,6 +102,14 @@ pub(super) fn watched_changes(session: &Session<'_>, before: &[Option<bool>]) ->
     let now = watched_truths(session);
     let at = time(session.now.time);
     let changed = session.now.watched.iter().zip(now.iter().zip(before)).filter(|(_, (now, before))| now != before);
-    let line = |name: &str, holds: bool| format!("  at {at}: {name} is {}\n", if holds { "set" } else { "cleared" });
-    changed.filter_map(|((name, _), (now, _))| now.map(|holds| line(name, holds))).collect()
+    let line = |name: &str, watched: &Watched<'_>, holds: bool| {
+        let change = match (watched, holds) {
+            (Watched::Condition(_), true) => "holds",
+            (Watched::Condition(_), false) => "holds no more",
+            (_, true) => "is set",
+            (_, false) => "is cleared",
+        };
+        format!("  at {at}: {name} {change}\n")
+    };
+    changed.filter_map(|((name, watched), (now, _))| now.map(|holds| line(name, watched, holds))).collect()
 }

@@ -9,15 +9,14 @@ use reedline::{
 };
 
 use super::super::terminal::Terminal;
-use super::{Answer, carry_out};
-use crate::driver::Analysis;
+use super::{Answer, Target, carry_out};
 use crate::repl::{COMMANDS, Names, Session};
 
 /// The name of the menu that completions are chosen from.
 const MENU: &str = "completions";
 
 /// Reads lines until the user has enough.
-pub(super) fn converse(session: &mut Session<'_>, analysis: &Analysis, terminal: &Terminal) -> Result<u8, u8> {
+pub(super) fn converse(session: &mut Session<'_>, target: &Target<'_>, terminal: &Terminal) -> Result<u8, u8> {
     terminal.note("`help` lists the commands, Tab completes, Ctrl-D ends the session");
     let mut editor = editor(session.names(), terminal);
     loop {
@@ -27,7 +26,7 @@ pub(super) fn converse(session: &mut Session<'_>, analysis: &Analysis, terminal:
             Ok(_) => continue,
             Err(error) => return Err(terminal.fail(&format!("the terminal cannot be read: {error}"), None)),
         };
-        if let Answer::Quit = carry_out(session, &line, analysis, terminal) {
+        if let Answer::Quit = carry_out(session, &line, target, terminal) {
             return Ok(super::super::CLEAN);
         }
     }

@@ -1,5 +1,6 @@
 //! `lmslc repl`
 
+mod condition;
 mod editor;
 
 use std::io::{BufRead, IsTerminal, Write};
@@ -43,6 +44,13 @@ struct Candidate {
     tick: u64,
 }
 
+/// What is driven, as the program has it.
+struct Target<'a> {
+    analysis: &'a Analysis,
+    behavior: &'a str,
+    platform: Platform,
+}
+
 impl Repl {
     pub(super) fn execute(&self, terminal: &Terminal) -> Result<u8, u8> {
         if self.file == "-" {
@@ -56,12 +64,14 @@ impl Repl {
                 .ok_or_else(|| terminal.fail(&format!("`{text}` is no tick"), Some("write a time, as in `20ms`")))?,
             None => tick,
         };
+        let behavior = analysis.program.diagrams[diagram].symbol.name.as_str();
+        let target = Target { analysis: &analysis, behavior, platform };
         let driven = Driven::new(checked, diagram, platform, tick);
         let mut session = Session::new(&driven, terminal.color_out);
         if std::io::stdin().is_terminal() {
-            editor::converse(&mut session, &analysis, terminal)
+            editor::converse(&mut session, &target, terminal)
         } else {
-            script(&mut session, &analysis, terminal)
+            script(&mut session, &target, terminal)
         }
     }
 
@@ -117,12 +127,12 @@ fn nanoseconds(text: &str) -> Option<u64> {
 }
 
 /// Carries out the lines of standard input and shows them with their answers.
-fn script(session: &mut Session<'_>, analysis: &Analysis, terminal: &Terminal) -> Result<u8, u8> {
+fn script(session: &mut Session<'_>, target: &Target<'_>, terminal: &Terminal) -> Result<u8, u8> {
     let mut code = super::CLEAN;
     for line in std::io::stdin().lock().lines() {
         let line = line.map_err(|error| terminal.fail(&format!("standard input cannot be read: {error}"), None))?;
         Terminal::print(&format!("> {line}\n"));
-        match carry_out(session, &line, analysis, terminal) {
+        match carry_out(session, &line, target, terminal) {
             Answer::Done => {}
             Answer::Refused => code = super::FINDINGS,
             Answer::Quit => break,
@@ -139,10 +149,14 @@ enum Answer {
 }
 
 /// Carries out a line and prints the answer.
-fn carry_out(session: &mut Session<'_>, line: &str, analysis: &Analysis, terminal: &Terminal) -> Answer {
+fn carry_out(session: &mut Session<'_>, line: &str, target: &Target<'_>, terminal: &Terminal) -> Answer {
     let answer = session.carry_out(line).and_then(|reply| match reply {
         Reply::Text(text) => Ok(Some(text)),
-        Reply::Save(saved) => save(&saved, analysis).map(Some),
+        Reply::Save(saved) => save(&saved, target.analysis).map(Some),
+        Reply::Watch(text) => {
+            let Target { analysis, behavior, platform } = target;
+            condition::plan(analysis, behavior, *platform, &text).map(|plan| Some(session.watch(&text, plan)))
+        }
         Reply::Load(path) => files::text_of(&path)
             .map_err(|message| refusal(message, None))
             .and_then(|text| session.load(&text))
