@@ -204,6 +204,11 @@ pub(super) fn user_cache() -> Option<String> {
     user_folder("XDG_CACHE_HOME", "Library/Caches", ".cache")
 }
 
+/// Where it keeps what programs remember from one call to the next.
+pub(super) fn user_state() -> Option<String> {
+    user_folder("XDG_STATE_HOME", "Library/Application Support", ".local/state")
+}
+
 /// A folder that a variable names, else the one of the system, below the user's home.
 fn user_folder(variable: &str, of_macos: &str, of_others: &str) -> Option<String> {
     let said = |name: &str| std::env::var(name).ok().filter(|path| Path::new(path).is_absolute());

@@ -201,22 +201,71 @@ fn the_behavior_is_chosen_by_name() {
 
 #[test]
 fn a_terminal_has_completion_and_history() {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lmslc"));
-    command.arg("repl").arg(root().join(MANIPULATION)).env("TERM", "xterm").env("NO_COLOR", "1");
-    let mut terminal = rexpect::session::spawn_command(command, Some(20_000)).unwrap();
-    // A line is drawn where the terminal says that its cursor is.
-    let mut type_line = |keys: &str, answer: &str| {
-        terminal.exp_string("\u{1b}[6n").unwrap();
-        terminal.send("\u{1b}[1;1R").unwrap();
-        terminal.send(keys).unwrap();
-        terminal.flush().unwrap();
-        terminal.exp_string(answer).unwrap();
+    let state = TempDir::new().unwrap();
+    let session = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lmslc"));
+        command.arg("repl").arg(root().join(MANIPULATION)).env("TERM", "xterm").env("NO_COLOR", "1");
+        command.env("XDG_STATE_HOME", state.path());
+        rexpect::session::spawn_command(command, Some(20_000)).unwrap()
     };
-    type_line("ste\t2 s\r", "at 2 s: in forward");
-    type_line("fail con\t\r", "");
-    type_line("step\r", "at 2.01 s: in forward");
+    let mut terminal = session();
+    type_line(&mut terminal, "ste\t2 s\r", "at 2 s: in forward");
+    type_line(&mut terminal, "fail con\t\r", "");
+    type_line(&mut terminal, "step\r", "at 2.01 s: in forward");
     // The line before, once more.
-    type_line("\u{1b}[A\r", "at 2.02 s: in forward");
-    type_line("\u{4}", "");
+    type_line(&mut terminal, "\u{1b}[A\r", "at 2.02 s: in forward");
+    type_line(&mut terminal, "\u{4}", "");
     terminal.exp_eof().unwrap();
+    // The lines of one session are there in the next, which the last line of the first has ended.
+    let mut terminal = session();
+    type_line(&mut terminal, "step 2 s\r", "at 2 s: in forward");
+    type_line(&mut terminal, "\u{1b}[A\u{1b}[A\r", "at 2.01 s: in forward");
+    type_line(&mut terminal, "wat\tcontact_force > 50 N and forward_c\t\r", "");
+    type_line(&mut terminal, "watch\r", "contact_force > 50 N and forward_collision  no");
+    type_line(&mut terminal, "\u{4}", "");
+    terminal.exp_eof().unwrap();
+    assert!(std::fs::read_to_string(state.path().join("lmslc/repl_history")).unwrap().contains("fail contact_force"));
+}
+
+/// A line is drawn where the terminal says that its cursor is.
+fn type_line(terminal: &mut rexpect::session::PtySession, keys: &str, answer: &str) {
+    terminal.exp_string("\u{1b}[6n").unwrap();
+    terminal.send("\u{1b}[1;1R").unwrap();
+    terminal.send(keys).unwrap();
+    terminal.flush().unwrap();
+    terminal.exp_string(answer).unwrap();
+}
+
+#[test]
+fn conditions_are_watched_as_a_transition_would_see_them() {
+    let desk = Desk::new(&[("careful.msd", CONDITIONS)]);
+    let answer = desk.drive(
+        "careful.msd",
+        "watch contact_force > 50 N and after 20 ms\nwatch held(pressed, 30 ms)\nwatch alarmed\nstep\n\
+         set contact_force = 60\nstep 3\nwatch count(rising(pressed)) >= 1\nwatch done\nstep 10\nundo\nstep 2\n\
+         unwatch alarmed\nstep 10\nwatch\n",
+    );
+    assert_eq!((answer.code, answer.err.as_str()), (0, ""));
+    insta::assert_snapshot!(answer.out);
+}
+
+#[test]
+fn what_is_no_condition_is_not_watched() {
+    let desk = Desk::new(&[("careful.msd", CONDITIONS)]);
+    let script = "watch contact_force > 50\nwatch contact_force >\nwatch contct_force > 5 N\nwatch pressed }\n\
+                  watch pressed world w { }\nwatch pressed leads to uneven within 1 s\nwatch (pressed\nwatch alarmde\n\
+                  watch done\nwatch done\nwatch alarmed and\n";
+    let answer = desk.drive("careful.msd", script);
+    assert_eq!(answer.code, 1);
+    assert_eq!(answer.out.matches("  error: ").count(), script.lines().count() - 1, "{}", answer.out);
+    insta::assert_snapshot!(answer.out);
+}
+
+#[test]
+fn a_watched_condition_follows_a_trace_that_is_loaded() {
+    let desk = Desk::new(&[]);
+    desk.modes(&[root().join(MANIPULATION).to_str().unwrap(), "--trace", "run.csv"]);
+    let answer = desk.drive(MANIPULATION, "watch push or stop\nload run.csv\nstep 1\nundo\nundo\nstep\n");
+    assert_eq!(answer.code, 0, "{}", answer.out);
+    assert!(answer.out.contains("push or stop  no"), "{}", answer.out);
 }

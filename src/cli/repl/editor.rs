@@ -1,17 +1,21 @@
 //! The session at a terminal: lines with history, completion and colors.
 
 use std::borrow::Cow;
+use std::path::Path;
 
 use reedline::{
-    Color, ColumnarMenu, Completer, CompletionResult, Emacs, Highlighter, KeyCode, KeyModifiers, MenuBuilder, Prompt,
-    PromptEditMode, PromptHistorySearch, Reedline, ReedlineEvent, ReedlineMenu, Signal, Span, StyledText, Suggestion,
-    default_emacs_keybindings,
+    Color, ColumnarMenu, Completer, CompletionResult, Emacs, FileBackedHistory, Highlighter, KeyCode, KeyModifiers,
+    MenuBuilder, Prompt, PromptEditMode, PromptHistorySearch, Reedline, ReedlineEvent, ReedlineMenu, Signal, Span,
+    StyledText, Suggestion, default_emacs_keybindings,
 };
 
+use super::super::files;
 use super::super::terminal::Terminal;
 use super::{Answer, Target, carry_out};
 use crate::repl::{COMMANDS, Names, Session};
 
+/// How many lines are kept from one session to the next.
+const KEPT: usize = 1000;
 /// The name of the menu that completions are chosen from.
 const MENU: &str = "completions";
 
@@ -37,7 +41,16 @@ fn editor(names: &Names, terminal: &Terminal) -> Reedline {
     let complete = vec![ReedlineEvent::Menu(MENU.to_owned()), ReedlineEvent::MenuNext];
     keys.add_binding(KeyModifiers::NONE, KeyCode::Tab, ReedlineEvent::UntilFound(complete));
     let menu = ReedlineMenu::EngineCompleter(Box::new(ColumnarMenu::default().with_name(MENU)));
-    Reedline::create()
+    // Without a place for it, the history is that of the session.
+    let history = files::user_state().and_then(|folder| {
+        let path = Path::new(&folder).join("lmslc").join("repl_history");
+        FileBackedHistory::with_file(KEPT, path).ok()
+    });
+    let editor = match history {
+        Some(history) => Reedline::create().with_history(Box::new(history)),
+        None => Reedline::create(),
+    };
+    editor
         .with_completer(Box::new(Completions(names.clone())))
         .with_highlighter(Box::new(Colors(names.clone())))
         .with_menu(menu)
