@@ -3,8 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
-
-use super::terminal::{Terminal, exit_code};
+use super::terminal::{Terminal, exit_code, listed};
 use crate::base::{Unit, read_quantity};
 use crate::diag;
 use crate::interp::{Evaluator, Reading};
@@ -50,10 +49,13 @@ impl Eval {
         let analysis = files::look(std::slice::from_ref(&self.file), terminal)?;
         let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
         let networks = &analysis.program.networks;
+        if networks.is_empty() {
+            return Err(terminal.fail(&format!("`{}` holds no network", self.file), None));
+        }
         let Some((id, _)) = networks.iter().find(|(_, network)| network.symbol.name == self.network) else {
             let names: Vec<_> = networks.values().map(|network| network.symbol.name.as_str()).collect();
             let help = diag::did_you_mean(&self.network, names.iter().copied())
-                .unwrap_or_else(|| format!("known are: {}", names.join(", ")));
+                .unwrap_or_else(|| format!("known are: {}", listed(names.iter().copied())));
             return Err(terminal.fail(&format!("there is no network `{}`", self.network), Some(&help)));
         };
         let plan = plan::build_network(checked, id);
@@ -86,8 +88,7 @@ fn parse_readings(texts: &[String], plan: &NetworkPlan) -> Result<Vec<Reading>, 
             return Err((format!("`{text}` is not a reading"), Some("write NAME=VALUE".to_owned())));
         };
         let Some(index) = names().position(|known| known == name) else {
-            let help = diag::did_you_mean(name, names())
-                .unwrap_or_else(|| format!("known are: {}", names().collect::<Vec<_>>().join(", ")));
+            let help = diag::did_you_mean(name, names()).unwrap_or_else(|| format!("known are: {}", listed(names())));
             return Err((format!("`{}` has no input `{name}`", plan.name), Some(help)));
         };
         if readings[index].is_some() {

@@ -25,7 +25,9 @@ impl Explain {
             }
             None => {
                 let near = diag::did_you_mean(wanted, rules::names());
-                let help = near.unwrap_or_else(|| "`lmslc explain` lists all".to_owned());
+                let spoken_of = (!speaking_of(wanted).is_empty())
+                    .then(|| format!("`lmslc explain --search {wanted}` lists those that speak of it"));
+                let help = near.or(spoken_of).unwrap_or_else(|| "`lmslc explain` lists all".to_owned());
                 terminal.fail(&format!("there is no diagnostic `{wanted}`"), Some(&help))
             }
         }
@@ -33,9 +35,8 @@ impl Explain {
 
     /// Lists all diagnostics, or those that speak of what is searched for.
     fn list(&self, terminal: &Terminal) -> u8 {
-        let wanted = self.search.as_deref().unwrap_or_default().to_lowercase();
-        let speaks = |rule: &&diag::Rule| format!("{} {}", rule.name, rule.page).to_lowercase().contains(&wanted);
-        let found: Vec<_> = RULES.iter().copied().filter(speaks).collect();
+        let wanted = self.search.as_deref().unwrap_or_default();
+        let found = speaking_of(wanted);
         if found.is_empty() {
             return terminal.fail(&format!("no diagnostic speaks of `{wanted}`"), Some("`lmslc explain` lists all"));
         }
@@ -46,4 +47,11 @@ impl Explain {
         Terminal::print(&found.iter().map(line).collect::<String>());
         super::CLEAN
     }
+}
+
+/// The rules whose names or pages hold a text, in whatever case.
+fn speaking_of(text: &str) -> Vec<&'static diag::Rule> {
+    let wanted = text.to_lowercase();
+    let speaks = |rule: &&diag::Rule| format!("{} {}", rule.name, rule.page).to_lowercase().contains(&wanted);
+    RULES.iter().copied().filter(speaks).collect()
 }

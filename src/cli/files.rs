@@ -314,7 +314,7 @@ pub(super) fn text_of(path: &str) -> Result<String, String> {
 
 pub(super) fn unread(path: &str, error: &FileError) -> String {
     let reason = match error {
-        FileError::Missing => "there is no such file".to_owned(),
+        FileError::Missing => return format!("there is no file `{path}`"),
         FileError::NotUtf8 { byte } => format!("it is not UTF-8 text from byte {byte} on"),
         FileError::Unreadable(reason) => reason.clone(),
     };

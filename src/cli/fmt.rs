@@ -60,7 +60,9 @@ impl Fmt {
     fn summary(&self, all: usize, changed: usize, broken: usize) -> String {
         let files = |count: usize| format!("{count} file{}", if count == 1 { "" } else { "s" });
         let done = if self.check { "would be formatted" } else { "formatted" };
-        let mut text = format!("{} {done}, {} left as they are", files(changed), all - changed - broken);
+        let left = all - changed - broken;
+        let same = if left == 1 { "it is" } else { "they are" };
+        let mut text = format!("{} {done}, {left} left as {same}", files(changed));
         if broken > 0 {
             text += &format!(", {} not understood", files(broken));
         }

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
-use super::terminal::{Terminal, exit_code};
+use super::terminal::{Terminal, exit_code, listed};
 use crate::analysis::modes::fault_table;
 use crate::base::Id;
 use crate::diag::did_you_mean;
@@ -54,7 +54,9 @@ impl Graph {
             if self.network { self.networks(&analysis, terminal)? } else { self.diagrams(&analysis, terminal)? };
         if pictures.is_empty() {
             let what = if self.network { "network" } else { "behavior" };
-            return Err(terminal.fail(&format!("`{}` holds no {what}", self.file), None));
+            let has_networks = analysis.program.networks.values().any(|network| is_own(&analysis, &network.symbol));
+            let help = (!self.network && has_networks).then_some("`--network` draws its networks");
+            return Err(terminal.fail(&format!("`{}` holds no {what}", self.file), help));
         }
         let extension = match self.format {
             Format::Svg => "svg",
@@ -105,7 +107,7 @@ impl Graph {
             known.iter().copied().find(|sensor| name(sensor) == wanted).ok_or_else(|| {
                 let names = known.iter().map(name);
                 let help = did_you_mean(wanted, names.clone())
-                    .unwrap_or_else(|| format!("its sensors are: {}", names.collect::<Vec<_>>().join(", ")));
+                    .unwrap_or_else(|| format!("its sensors are: {}", listed(names)));
                 let message = format!("`{}` has no sensor `{wanted}`", diagram.symbol.name);
                 terminal.fail(&message, Some(&help))
             })

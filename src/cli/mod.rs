@@ -2,7 +2,7 @@
 //!
 //! Imports: analysis, base, diag, driver, emit, interp, ir, lsp, plan, repl, report, sim, view
 //! Crates: clap, clap_complete, clap_mangen, indicatif, rayon, reedline, serde, similar, terminal_size, toml
-#![expect(clippy::disallowed_methods, clippy::print_stderr, reason = "this room is the one that touches the world")]
+#![expect(clippy::disallowed_methods, reason = "this room is the one that touches the world")]
 
 mod build;
 mod check;
@@ -50,14 +50,14 @@ const INTERNAL: u8 = 101;
     name = "lmslc",
     version,
     about = "Compiles robot behavior written as text: modes with prioritized exits, fed by fuzzy sensor fusion.",
-    after_help = "Exit codes: 0 clean, 1 findings or failed expectations, 2 wrong arguments or files, 101 a bug in lmslc.\n\
+    after_help = "Exit codes: 0 clean, 1 findings or failed expectations, 2 wrong arguments or files, 101 a bug in lmslc, 130 interrupted.\n\
                   Human text goes to standard error, machine formats and results to standard output.",
     max_term_width = 100
 )]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// When to color: `auto` colors a terminal unless NO_COLOR is set
+    /// When to color: `auto` colors a terminal unless NO_COLOR is set, and everything where CLICOLOR_FORCE is
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
     color: When,
     /// Print nothing but what was asked for: no warnings, no summary

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use super::files;
-use super::terminal::{Terminal, exit_code};
+use super::terminal::{Terminal, exit_code, listed};
 use crate::base::{FileId, Span, Unit, read_quantity};
 use crate::diag::{self, Diagnostic, rules};
 use crate::driver::Analysis;
@@ -93,7 +93,7 @@ impl Run {
             (Some(wanted), _) => {
                 scenarios.iter().copied().find(|scenario| scenario.symbol.name == *wanted).ok_or_else(|| {
                     let help = diag::did_you_mean(wanted, names.iter().copied());
-                    let help = help.unwrap_or_else(|| format!("the file holds: {}", names.join(", ")));
+                    let help = help.unwrap_or_else(|| format!("the file holds: {}", listed(names.iter().copied())));
                     terminal.fail(&format!("`{}` holds no scenario `{wanted}`", self.file), Some(&help))
                 })
             }
@@ -104,7 +104,7 @@ impl Run {
             }
             (None, _) => {
                 let message = format!("`{}` holds {} scenarios; which one?", self.file, scenarios.len());
-                Err(terminal.fail(&message, Some(&format!("name one of: {}", names.join(", ")))))
+                Err(terminal.fail(&message, Some(&format!("name one of: {}", listed(names)))))
             }
         }
     }
@@ -126,11 +126,13 @@ pub(super) fn outcome(run: &sim::Run) -> report::Outcome<'_> {
     report::Outcome { trace: &run.trace, expectations: expectations.collect() }
 }
 
+/// What to do about a file without scenarios.
+pub(super) const WRITE_ONE: &str = "write `scenario name runs behavior { duration 10 s }`, or run a file that has one";
+
 fn no_scenario(analysis: &Analysis, file: &str) -> Diagnostic {
     let root = analysis.roots.first().copied().unwrap_or_default();
     let message = format!("`{file}` holds no scenario to run");
-    Diagnostic::new(&rules::NO_SCENARIO, Span::new(root, 0, 0), message)
-        .help("write `scenario name runs behavior { duration 10 s }`, or run a file that has one")
+    Diagnostic::new(&rules::NO_SCENARIO, Span::new(root, 0, 0), message).help(WRITE_ONE)
 }
 
 /// Reads `SENSOR=VALUE@TIME`. Value and time are in the sensor's unit and in seconds unless they say otherwise.
@@ -147,7 +149,9 @@ fn parse_fault(
     let sensors = &program.robots[scenario.robot].sensors;
     let Some(&sensor) = sensors.iter().find(|&&sensor| program.sensors[sensor].symbol.name == name) else {
         let known = sensors.iter().map(|&sensor| program.sensors[sensor].symbol.name.as_str());
-        return Err((format!("the robot has no sensor `{name}`"), diag::did_you_mean(name, known)));
+        let help =
+            diag::did_you_mean(name, known.clone()).unwrap_or_else(|| format!("its sensors are: {}", listed(known)));
+        return Err((format!("the robot has no sensor `{name}`"), Some(help)));
     };
     let unit = &program.sensors[sensor].unit;
     let reading = match value {

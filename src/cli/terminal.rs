@@ -58,7 +58,7 @@ impl Terminal {
     pub(super) fn print(text: &str) {
         match std::io::stdout().write_all(text.as_bytes()) {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-                eprintln!("error: standard output cannot be written: {error}");
+                say(&format!("error: standard output cannot be written: {error}\n"));
                 std::process::exit(super::USAGE.into());
             }
             _ => {}
@@ -68,23 +68,23 @@ impl Terminal {
     /// A remark, on standard error.
     pub(super) fn note(&self, text: &str) {
         if self.least < Severity::Error {
-            eprintln!("{text}");
+            say(&format!("{text}\n"));
         }
     }
 
     /// What keeps the command from being carried out, on standard error.
     pub(super) fn fail(&self, message: &str, help: Option<&str>) -> u8 {
         let (red, plain) = if self.color_err { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
-        eprintln!("{red}error{plain}: {message}");
+        say(&format!("{red}error{plain}: {message}\n"));
         if let Some(help) = help {
-            eprintln!("  = help: {help}");
+            say(&format!("  = help: {help}\n"));
         }
         super::USAGE
     }
 
     /// Findings that keep the command from being carried out, on standard error.
     pub(super) fn errors(&self, findings: &[Diagnostic], sources: &Sources) {
-        eprintln!("{}", report::human(findings, sources, self.color_err).trim_end());
+        say(&format!("{}\n", report::human(findings, sources, self.color_err).trim_end()));
     }
 
     /// Findings without those that are only worth knowing, unless these are wanted too.
@@ -98,15 +98,25 @@ impl Terminal {
         let mut shown = self.worth_saying(analysis);
         shown.retain(|finding| finding.severity >= self.least);
         if !shown.is_empty() {
-            eprint!("{}", report::human(&shown, &analysis.sources, self.color_err));
+            say(&report::human(&shown, &analysis.sources, self.color_err));
             self.note(&report::summary(&shown));
         }
     }
 }
 
+/// A text on standard error. A reader that has gone away has seen enough.
+fn say(text: &str) {
+    let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
 /// Whether a variable of the environment says something.
 fn is_set(name: &str) -> bool {
     std::env::var_os(name).is_some_and(|value| !value.is_empty())
+}
+
+/// Names as a message has them.
+pub(super) fn listed<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
+    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// The exit code that findings call for.

@@ -4,8 +4,8 @@ use clap::Args;
 use rayon::prelude::*;
 
 use super::files::Disk;
-use super::run::{Format, outcome, scenarios};
-use super::terminal::{Terminal, exit_code};
+use super::run::{Format, WRITE_ONE, outcome, scenarios};
+use super::terminal::{Terminal, exit_code, listed};
 use super::watch;
 use crate::ir::Scenario;
 use crate::sim::{self, RunOptions};
@@ -50,9 +50,15 @@ impl Test {
         let analysis = disk.look(&self.files, terminal)?;
         let Some(checked) = analysis.checked() else { return Err(exit_code(&analysis)) };
         let mut chosen = scenarios(&analysis);
+        let all: Vec<_> = chosen.iter().map(|scenario| scenario.symbol.name.as_str()).collect();
         chosen.retain(|scenario| scenario.symbol.name.contains(&self.filter));
+        if all.is_empty() {
+            let message = format!("`{}` holds no scenario to run", self.files.join("`, `"));
+            return Err(terminal.fail(&message, Some(WRITE_ONE)));
+        }
         if chosen.is_empty() {
-            return Err(terminal.fail("there is no scenario to run", Some("check the files, and --filter")));
+            let message = format!("no scenario has `{}` in its name", self.filter);
+            return Err(terminal.fail(&message, Some(&format!("there are: {}", listed(all)))));
         }
         let progress = terminal.progress(chosen.len(), "scenarios run");
         let run = |scenario: &&Scenario| {

@@ -89,7 +89,7 @@ impl Names {
 fn find(name: &str, known: &[String], what: &str) -> Result<usize, Refusal> {
     known.iter().position(|known| known == name).ok_or_else(|| {
         let near = diag::did_you_mean(name, known.iter().map(String::as_str));
-        let all = || format!("known are: {}", known.join(", "));
+        let all = || format!("known are: `{}`", known.join("`, `"));
         let refusal = Refusal::new(format!("there is no {what} `{name}`"));
         if known.is_empty() { refusal } else { refusal.help(near.unwrap_or_else(all)) }
     })

@@ -371,7 +371,11 @@ fn run_needs_one_scenario() {
     assert!(none.err.starts_with("error[LM0802]: `wander.msd` holds no scenario to run\n"), "{}", none.err);
     let several = project.run(&["run", "trials.msd"]);
     assert_eq!(several.code, 2);
-    assert!(several.err.contains("holds 3 scenarios") && several.err.contains("short, wrong, long"), "{}", several.err);
+    assert!(
+        several.err.contains("holds 3 scenarios") && several.err.contains("`short`, `wrong`, `long`"),
+        "{}",
+        several.err
+    );
     let unknown = project.run(&["run", "trials.msd", "shrot"]);
     assert_eq!(unknown.code, 2);
     assert!(unknown.err.contains("no scenario `shrot`") && unknown.err.contains("did you mean `short`?"));
@@ -697,7 +701,7 @@ fn fmt_lays_files_out() {
     let project =
         Project::new(&[("a/rough.msd", &rough), ("a/wander.msd", CLEAN), ("a/none.txt", "x"), ("wrong.msd", "mode {")]);
     let checked = project.run(&["fmt", "--check", "a"]);
-    assert_eq!((checked.code, checked.err.as_str()), (1, "1 file would be formatted, 1 left as they are\n"));
+    assert_eq!((checked.code, checked.err.as_str()), (1, "1 file would be formatted, 1 left as it is\n"));
     assert!(checked.out.starts_with("--- a/rough.msd\n+++ a/rough.msd\n@@ "), "{}", checked.out);
     assert_eq!(project.read("a/rough.msd"), rough, "nothing is written");
     let written = project.run(&["fmt", "a"]);
@@ -751,7 +755,7 @@ fn eval_needs_every_input_once() {
         (&["bump", "left=1"], "no reading is given for force"),
         (&["bump", "left=1", "force=2", "left=3"], "`left` is given twice"),
         (&["bump", "left=1", "forse=2"], "did you mean `force`?"),
-        (&["bump", "left=1", "torque=2"], "known are: left, force"),
+        (&["bump", "left=1", "torque=2"], "known are: `left`, `force`"),
         (&["bump", "left=1", "force=much"], "`much` is not a reading of `force`"),
         (&["bump", "left=1", "2"], "`2` is not a reading"),
         (&["bmup", "left=1", "force=2"], "did you mean `bump`?"),
@@ -762,7 +766,7 @@ fn eval_needs_every_input_once() {
         assert!(answer.err.contains(message), "{arguments:?}: {}", answer.err);
     }
     let unknown = project.run(&["eval", "bump.fsfn", "steering"]);
-    assert!(unknown.err.contains("known are: bump, other"), "{}", unknown.err);
+    assert!(unknown.err.contains("known are: `bump`, `other`"), "{}", unknown.err);
     assert_eq!(project.run(&["eval", "missing.fsfn", "bump"]).code, 2);
     assert_eq!(project.run(&["eval", "bump.fsfn"]).code, 2);
 }
@@ -1040,4 +1044,43 @@ fn build_prints_code_or_writes_it() {
     let several = project.run(&["build", "any.msd"]);
     assert!(several.code == 2 && several.err.contains("compile it for: r, s"), "{}", several.err);
     assert_eq!(project.run(&["build", "any.msd", "--robot", "s"]).code, 0);
+}
+
+#[test]
+fn what_is_missing_is_told_with_what_there_is() {
+    let files = [("wander.msd", CLEAN), ("trials.msd", TRIALS), ("bump.fsfn", BUMP), ("empty.fsfn", "")];
+    let project = Project::new(&files);
+    let cases: [(&[&str], &str); 9] = [
+        (&["eval", "empty.fsfn", "bump"], "error: `empty.fsfn` holds no network\n"),
+        (&["graph", "bump.fsfn"], "error: `bump.fsfn` holds no behavior\n  = help: `--network` draws its networks\n"),
+        (&["graph", "empty.fsfn"], "error: `empty.fsfn` holds no behavior\n"),
+        (&["test", "wander.msd"], "error: `wander.msd` holds no scenario to run\n  = help: write `scenario name runs"),
+        (
+            &["test", ".", "--filter", "zz"],
+            "error: no scenario has `zz` in its name\n  = help: there are: `short`, `wrong`, `long`\n",
+        ),
+        (
+            &["run", "trials.msd", "short", "--fault", "x=1@1s"],
+            "error: the robot has no sensor `x`\n  = help: its sensors",
+        ),
+        (&["explain", "unreachable"], "error: there is no diagnostic `unreachable`\n  = help: `lmslc explain --search"),
+        (&["explain", "zzz"], "error: there is no diagnostic `zzz`\n  = help: `lmslc explain` lists all\n"),
+        (&["fmt", "nowhere.msd"], "error: there is no file `nowhere.msd`\n"),
+    ];
+    for (arguments, message) in cases {
+        let answer = project.run(arguments);
+        assert_eq!((answer.code, answer.out.as_str()), (2, ""), "{arguments:?}");
+        assert!(answer.err.starts_with(message), "{arguments:?}: {}", answer.err);
+    }
+}
+
+#[test]
+fn a_file_is_taken_once_and_caches_are_passed_over() {
+    let files =
+        [("wander.msd", CLEAN), ("node_modules/a.msd", "broken"), ("made/CACHEDIR.TAG", ""), ("made/a.msd", "broken")];
+    let project = Project::new(&files);
+    let whole = project.0.path().join("wander.msd");
+    let answer = project.run(&["check", ".", "wander.msd", "./wander.msd", whole.to_str().unwrap()]);
+    assert_eq!((answer.code, answer.err.as_str()), (0, "1 file checked: nothing found\n"));
+    assert_eq!(project.run(&["check", "made"]).code, 1, "what is named itself is not passed over");
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use clap::Args;
 
 use super::counterexamples::imported;
-use super::terminal::{Terminal, exit_code};
+use super::terminal::{Terminal, exit_code, listed};
 use super::{files, run};
 use crate::base::{Dimension, Id, Quantity, Sources, Unit, read_quantity};
 use crate::diag;
@@ -80,7 +80,7 @@ impl Repl {
         let name = |candidate: &Candidate| program.diagrams[candidate.diagram].symbol.name.as_str();
         let mut candidates = candidates(analysis);
         let names: Vec<_> = candidates.iter().map(name).collect();
-        let known = format!("name one of: {}", names.join(", "));
+        let known = format!("name one of: {}", listed(names.iter().copied()));
         let position = match (&self.behavior, names.as_slice()) {
             (_, []) => return Err(terminal.fail(&format!("`{}` holds no behavior", self.file), None)),
             (Some(wanted), _) => names.iter().position(|name| name == wanted).ok_or_else(|| {
