@@ -12,7 +12,7 @@ mod twin;
 mod why;
 
 pub use command::{COMMANDS, Takes, Usage};
-pub use name::Names;
+pub use name::{Names, is_of_name};
 pub use session::{Driven, Reply, Saved, Session};
 
 /// What keeps a command from being carried out.

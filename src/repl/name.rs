@@ -109,7 +109,7 @@ fn watchable<'p>(plan: &'p Plan) -> Vec<(&'p str, Watched<'static>)> {
 }
 
 /// Whether a letter can be part of a name, also of one behind another.
-fn is_of_name(letter: char) -> bool {
+pub fn is_of_name(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_' || letter == '.'
 }
 

@@ -202,13 +202,13 @@ fn the_behavior_is_chosen_by_name() {
 #[test]
 fn a_terminal_has_completion_and_history() {
     let state = TempDir::new().unwrap();
-    let session = || {
+    let session = |no_color: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_lmslc"));
-        command.arg("repl").arg(root().join(MANIPULATION)).env("TERM", "xterm").env("NO_COLOR", "1");
+        command.arg("repl").arg(root().join(MANIPULATION)).env("TERM", "xterm").env("NO_COLOR", no_color);
         command.env("XDG_STATE_HOME", state.path());
         rexpect::session::spawn_command(command, Some(20_000)).unwrap()
     };
-    let mut terminal = session();
+    let mut terminal = session("1");
     type_line(&mut terminal, "ste\t2 s\r", "at 2 s: in forward");
     type_line(&mut terminal, "fail con\t\r", "");
     type_line(&mut terminal, "step\r", "at 2.01 s: in forward");
@@ -217,7 +217,7 @@ fn a_terminal_has_completion_and_history() {
     type_line(&mut terminal, "\u{4}", "");
     terminal.exp_eof().unwrap();
     // The lines of one session are there in the next, which the last line of the first has ended.
-    let mut terminal = session();
+    let mut terminal = session("1");
     type_line(&mut terminal, "step 2 s\r", "at 2 s: in forward");
     type_line(&mut terminal, "\u{1b}[A\u{1b}[A\r", "at 2.01 s: in forward");
     type_line(&mut terminal, "wat\tcontact_force > 50 N and forward_c\t\r", "");
@@ -225,6 +225,10 @@ fn a_terminal_has_completion_and_history() {
     type_line(&mut terminal, "\u{4}", "");
     terminal.exp_eof().unwrap();
     assert!(std::fs::read_to_string(state.path().join("lmslc/repl_history")).unwrap().contains("fail contact_force"));
+    let mut terminal = session("");
+    type_line(&mut terminal, "watch held(contact_force > 1 N, 1 s)\r", "\u{1b}[36mcontact_force");
+    type_line(&mut terminal, "\u{4}", "");
+    terminal.exp_eof().unwrap();
 }
 
 /// A line is drawn where the terminal says that its cursor is.

@@ -12,7 +12,7 @@ use reedline::{
 use super::super::files;
 use super::super::terminal::Terminal;
 use super::{Answer, Target, carry_out};
-use crate::repl::{COMMANDS, Names, Session};
+use crate::repl::{COMMANDS, Names, Session, is_of_name};
 
 /// How many lines are kept from one session to the next.
 const KEPT: usize = 1000;
@@ -108,8 +108,8 @@ impl Highlighter for Colors {
     fn highlight(&self, line: &str, _: usize) -> StyledText {
         let mut text = StyledText::new();
         let mut is_first = true;
-        for piece in line.split_inclusive([' ', '=']) {
-            let word = piece.trim_end_matches([' ', '=']);
+        for piece in line.split_inclusive(|letter| !is_of_name(letter)) {
+            let word = piece.trim_end_matches(|letter| !is_of_name(letter));
             let is_command = COMMANDS.iter().any(|usage| usage.word == word);
             let style = match (is_first && !word.is_empty(), is_command) {
                 (true, true) => Color::Default.bold(),
