@@ -8,4 +8,4 @@ mod format;
 mod parse;
 
 pub use format::format;
-pub use parse::{KEYWORDS, Token, TokenKind, is_name, parse, tokens};
+pub use parse::{KEYWORDS, Memo, Token, TokenKind, is_name, parse, parse_again, tokens};

@@ -29,6 +29,7 @@ mod network;
 mod network_more;
 mod outputs;
 mod pages;
+mod parse_again;
 mod promela;
 mod properties;
 mod random_modes;

@@ -53,35 +53,38 @@ pub struct File<'t> {
 
 /// The items of a text that parses.
 pub fn file(text: &str) -> File<'_> {
-    let declarations = declarations(text);
+    let matched = declarations(text);
     let mut tokens = Vec::new();
-    for (base, declaration) in &declarations {
-        leaves(declaration.clone(), declaration.as_rule(), *base, &mut tokens);
+    let mut declarations = Vec::new();
+    for (base, matched) in &matched {
+        let text = text.get(*base..).unwrap_or("");
+        if let Some(declaration) = matched.root(text) {
+            leaves(declaration, declaration.as_rule(), (*base, text), &mut tokens);
+            declarations.push(declaration);
+        }
     }
     let tail = attach_comments(text, &mut tokens);
     let mut tokens = tokens.into_iter();
-    let items = declarations.into_iter().map(|(_, declaration)| item(declaration, &mut tokens)).collect();
+    let items = declarations.into_iter().map(|declaration| item(declaration, &mut tokens)).collect();
     File { items, tail }
 }
 
 /// Whether a node is one token.
 fn is_token(pair: &Pair<'_>) -> bool {
-    matches!(pair.as_rule(), Rule::unit | Rule::path) || pair.clone().into_inner().next().is_none()
+    matches!(pair.as_rule(), Rule::unit | Rule::path) || pair.into_inner().next().is_none()
 }
 
-fn leaves<'t>(pair: Pair<'t>, parent: Rule, base: usize, tokens: &mut Vec<Token<'t>>) {
+/// Adds the tokens of a node, given the text that was matched and where that begins.
+fn leaves<'t>(pair: Pair<'_>, parent: Rule, (base, text): (usize, &'t str), tokens: &mut Vec<Token<'t>>) {
     let rule = pair.as_rule();
-    if rule == Rule::EOI {
-        return;
-    }
     if is_token(&pair) {
-        let start = base + pair.as_span().start();
+        let (start, text) = (base + pair.start(), text.get(pair.start()..pair.end()).unwrap_or(""));
         let (before, blank_before, after, line) = (Vec::new(), false, None, 0);
-        tokens.push(Token { text: pair.as_str(), rule, parent, before, blank_before, after, start, line });
+        tokens.push(Token { text, rule, parent, before, blank_before, after, start, line });
         return;
     }
     for part in pair.into_inner() {
-        leaves(part, rule, base, tokens);
+        leaves(part, rule, (base, text), tokens);
     }
 }
 
@@ -114,10 +117,10 @@ fn attach_comments<'t>(text: &'t str, tokens: &mut [Token<'t>]) -> Vec<Note<'t>>
     Vec::new()
 }
 
-fn item<'t>(pair: Pair<'t>, tokens: &mut impl Iterator<Item = Token<'t>>) -> Item<'t> {
+fn item<'t>(pair: Pair<'_>, tokens: &mut impl Iterator<Item = Token<'t>>) -> Item<'t> {
     let mut pair = pair;
     while is_wrapper(pair.as_rule())
-        && let Some(inner) = pair.clone().into_inner().next()
+        && let Some(inner) = pair.into_inner().next()
     {
         pair = inner;
     }
@@ -127,13 +130,13 @@ fn item<'t>(pair: Pair<'t>, tokens: &mut impl Iterator<Item = Token<'t>>) -> Ite
 }
 
 /// Adds the tokens of a node to an item: in front of its block, or in it.
-fn collect<'t>(pair: Pair<'t>, to: &mut Item<'t>, tokens: &mut impl Iterator<Item = Token<'t>>) {
+fn collect<'t>(pair: Pair<'_>, to: &mut Item<'t>, tokens: &mut impl Iterator<Item = Token<'t>>) {
     if is_token(&pair) {
         to.tokens.extend(tokens.next());
         return;
     }
     let rule = pair.as_rule();
-    for part in pair.into_inner().filter(|part| part.as_rule() != Rule::EOI) {
+    for part in pair.into_inner() {
         match &mut to.block {
             Some(block) if part.as_rule() == Rule::close_brace => block.close = tokens.next(),
             Some(block) => block.items.push(item(part, tokens)),

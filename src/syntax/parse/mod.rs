@@ -6,6 +6,7 @@ mod expressions;
 mod fusion;
 mod grammar;
 mod layout;
+mod memo;
 mod message;
 mod modes;
 mod phrases;
@@ -22,9 +23,10 @@ mod trials;
 use super::ast::{File, FileKind, Item};
 use crate::base::{FileId, Span};
 use crate::diag::{self, Diagnostic, rules};
-use grammar::Parts;
+use grammar::{Match, Parts};
 pub(super) use grammar::{Pair, Rule};
 use layout::Layout;
+pub use memo::Memo;
 use recovery::Recovery;
 use scan::Scan;
 pub use scan::{Kind as TokenKind, Token};
@@ -98,10 +100,15 @@ pub fn is_name(text: &str) -> bool {
 ///
 /// Raises LM0101, LM0102, LM0103, LM0104 and, for options that are said twice, LM0310.
 pub fn parse(file: FileId, kind: FileKind, text: &str) -> (File, Vec<Diagnostic>) {
+    parse_again(&mut Memo::default(), file, kind, text)
+}
+
+/// As [`parse`], where parts of the text may have been parsed before.
+pub fn parse_again(memo: &mut Memo, file: FileId, kind: FileKind, text: &str) -> (File, Vec<Diagnostic>) {
     let scan = Scan::new(text);
     let layout = Layout::new(text, &scan);
     let tree = Tree { file, text, scan: &scan, base: 0, diagnostics: Vec::new() };
-    let mut recovery = Recovery { tree, layout: &layout };
+    let mut recovery = Recovery { tree, layout: &layout, memo };
     recovery
         .tree
         .diagnostics
@@ -118,7 +125,7 @@ pub fn parse(file: FileId, kind: FileKind, text: &str) -> (File, Vec<Diagnostic>
 }
 
 /// What the grammar matches of a text that parses: each declaration with the place where its text begins.
-pub(super) fn declarations(text: &str) -> Vec<(usize, Pair<'_>)> {
+pub(super) fn declarations(text: &str) -> Vec<(usize, Match)> {
     let scan = Scan::new(text);
     let layout = Layout::new(text, &scan);
     let matched = |piece: std::ops::Range<usize>| {

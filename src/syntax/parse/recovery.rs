@@ -4,8 +4,9 @@
 use std::ops::Range;
 
 use super::fusion::side_kind;
-use super::grammar::{self, Pair, Rule};
+use super::grammar::{Error, Pair, Rule};
 use super::layout::Layout;
+use super::memo::Memo;
 use super::pieces::Block;
 use super::tree::Tree;
 use super::{depth, message};
@@ -26,12 +27,13 @@ const LARGE: usize = 2000;
 pub struct Recovery<'a> {
     pub tree: Tree<'a>,
     pub layout: &'a Layout<'a>,
+    pub memo: &'a mut Memo,
 }
 
 /// Why a piece could not be parsed as a whole.
 enum Failure {
     /// The grammar does not take it.
-    Syntax(Box<grammar::Error>),
+    Syntax(Box<Error>),
     /// Nesting goes too deep at this token.
     Deep(usize),
     /// It holds a brace without its other half, or a fault of the compiler; either was reported.
@@ -100,9 +102,11 @@ impl<'a> Recovery<'a> {
         }
         let span = self.span(piece);
         let text = self.layout.text.get(span.range()).unwrap_or("");
-        let pair = grammar::run(rule, text).map_err(Failure::Syntax)?;
+        let matched = self.memo.run(rule, text);
+        let matched = matched.as_ref().as_ref().map_err(|error| Failure::Syntax(error.clone()))?;
         self.tree.base = span.start as usize;
-        self.tree.build(pair, make).ok_or(Failure::Reported)
+        let node = matched.root(text).and_then(|pair| self.tree.build(pair, make));
+        node.ok_or(Failure::Reported)
     }
 
     fn report(&mut self, failure: Failure, piece: &Piece) {

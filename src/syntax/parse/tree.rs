@@ -3,7 +3,7 @@
 //! A builder function answers `None` where the tree of the grammar has another shape than it takes, which would be a
 //! fault of the compiler; it is reported once, as such, by [`Tree::build`].
 
-use super::grammar::{Pair, Parts, Rule, end};
+use super::grammar::{Pair, Parts, Rule};
 use super::scan::Scan;
 use super::{KEYWORDS, message};
 use crate::base::{FileId, Span};
@@ -33,13 +33,7 @@ impl Tree<'_> {
     }
 
     pub fn span(&self, pair: &Pair<'_>) -> Span {
-        self.place(pair.as_span().start() + self.base, end(pair) + self.base)
-    }
-
-    /// As [`Self::span`], for a node without parts.
-    fn token_span(&self, pair: &Pair<'_>) -> Span {
-        let span = pair.as_span();
-        self.place(span.start() + self.base, span.end() + self.base)
+        self.place(pair.start() + self.base, pair.end() + self.base)
     }
 
     pub fn place(&self, start: usize, end: usize) -> Span {
@@ -60,7 +54,7 @@ impl Tree<'_> {
 
     /// A word where any will do.
     pub fn word(&self, pair: &Pair<'_>) -> ast::Name {
-        ast::Name { text: pair.as_str().to_owned(), span: self.token_span(pair) }
+        ast::Name { text: pair.as_str().to_owned(), span: self.span(pair) }
     }
 
     /// A word that must not be a keyword.
@@ -88,7 +82,7 @@ impl Tree<'_> {
     /// In front of a dot no word is reserved, and `goal` and `robot` may be read like sensors.
     pub fn path(&mut self, pair: Pair<'_>) -> ast::Path {
         let span = self.span(&pair);
-        let words = pair.clone().into_inner().filter(|part| part.as_rule() != Rule::dot);
+        let words = pair.into_inner().filter(|part| part.as_rule() != Rule::dot);
         let segments = words.map(|word| self.word(&word)).collect::<Vec<_>>();
         if let ([only], Some(word)) = (&*segments, pair.into_inner().next())
             && !matches!(&*only.text, "goal" | "robot")
@@ -99,7 +93,7 @@ impl Tree<'_> {
     }
 
     pub fn number(&self, pair: &Pair<'_>) -> ast::Number {
-        ast::Number { text: pair.as_str().to_owned(), span: self.token_span(pair) }
+        ast::Number { text: pair.as_str().to_owned(), span: self.span(pair) }
     }
 
     pub fn unit(&mut self, pair: Pair<'_>) -> Option<ast::Unit> {
