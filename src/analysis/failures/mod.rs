@@ -50,7 +50,11 @@ pub(super) fn check(
     for sense in (0..).zip(&diagram.senses).filter(|(_, sense)| matters(&program.networks[sense.network].symbol)) {
         events::check_sense((program, diagram, &views), sense, up_to, findings);
     }
-    let mut changes = modes::changes(scene, examined, up_to);
+    let can_surprise = |faults: &FaultSet, mode: Id<Mode>| {
+        let mut exits = 0..views[mode.index()].exits.len();
+        exits.any(|index| is_surprising(diagram, &views, faults, (mode, index)))
+    };
+    let mut changes = modes::changes(scene, examined, up_to, can_surprise);
     changes.under.retain(|change| {
         let lost = change.lost(&changes.healthy);
         lost.into_iter().any(|exit| is_surprising(diagram, &views, &change.faults, exit))

@@ -9,7 +9,7 @@ use crate::ir::{Diagram, Mode, Program};
 /// What failures that nobody reports do, each with the smallest sets of failed sensors that do it.
 pub(super) fn under_failures<'a>(program: &'a Program, diagram: &'a Diagram, up_to: usize, told: &mut Told<'a>) {
     let scene = Scene::new(program, diagram);
-    let mut changes = modes::changes(&scene, &[], up_to);
+    let mut changes = modes::changes(&scene, &[], up_to, |_, _| true);
     changes.under.retain(|change| change.faults.iter().all(|(_, how)| *how != Fault::Reported));
     let effects = effects(diagram, &changes);
     let mut says = Told::default();

@@ -37,9 +37,14 @@ pub(in crate::analysis) struct Changes {
 /// A sensor that is compared with very many numbers is not looked at as stuck between them.
 const MOST_STRETCHES: usize = 64;
 
-/// What every set of at most `up_to` failed sensors changes, given what is known of some or all modes. Each set costs
-/// the modes that have to do with its sensors.
-pub(in crate::analysis) fn changes(scene: &Scene<'_>, examined: &[Option<Examined>], up_to: usize) -> Changes {
+/// What every set of at most `up_to` failed sensors changes, given what is known of some or all modes; without the sets
+/// of which nothing is wanted of any mode that they have to do with. Each other set costs the modes that it has to do with.
+pub(in crate::analysis) fn changes(
+    scene: &Scene<'_>,
+    examined: &[Option<Examined>],
+    up_to: usize,
+    is_wanted: impl Fn(&FaultSet, Id<Mode>) -> bool,
+) -> Changes {
     let modes = scene.diagram.modes.iter();
     let known = |(id, mode): (Id<Mode>, _)| Known::new(scene, mode, examined.get(id.index()).and_then(Option::as_ref));
     let mut known: Vec<_> = modes.map(known).collect();
@@ -58,6 +63,9 @@ pub(in crate::analysis) fn changes(scene: &Scene<'_>, examined: &[Option<Examine
     let mut under = Vec::new();
     for faults in sets.into_iter().skip(1) {
         let touched: BTreeSet<_> = faults.iter().flat_map(|(sensor, _)| &of_sensor[sensor]).copied().collect();
+        if !touched.iter().any(|mode| is_wanted(&faults, *mode)) {
+            continue;
+        }
         let mut modes = BTreeMap::new();
         for mode in touched {
             let Some(known) = &mut known[mode.index()] else { continue };
