@@ -84,9 +84,19 @@ impl Editor {
 /// From a keystroke to its findings: one that breaks a command, and one that mends it.
 #[divan::bench(args = [200, 2_000, 20_000], max_time = 5)]
 fn keystrokes(bencher: Bencher, lines: usize) {
+    write_in_turn(bencher, lines, ["drj", "dri"]);
+}
+
+/// The same where nothing but the rest of the text can be parsed in between.
+#[divan::bench(args = [200, 2_000], max_time = 5)]
+fn syntax_errors(bencher: Bencher, lines: usize) {
+    write_in_turn(bencher, lines, ["d)i", "dri"]);
+}
+
+fn write_in_turn(bencher: Bencher, lines: usize, texts: [&str; 2]) {
     let editor = Editor::open(&behavior(lines));
-    bencher.counter(ItemsCount::new(2_usize)).bench_local(|| {
-        for text in ["drj", "dri"] {
+    bencher.counter(ItemsCount::new(texts.len())).bench_local(|| {
+        for text in texts {
             editor.write(text);
             editor.wait_for_findings();
         }

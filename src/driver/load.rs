@@ -6,7 +6,7 @@ use super::library;
 use crate::base::{FileId, Sources, Span};
 use crate::diag::{self, Diagnostic, rules};
 use crate::sema::{Import, Unit};
-use crate::syntax::{self, ast, ast::FileKind};
+use crate::syntax::{self, Memo, ast, ast::FileKind};
 
 /// Where files come from: a disk, an editor's unsaved text, a test.
 pub trait Files {
@@ -31,15 +31,20 @@ pub enum FileError {
 /// The largest file in bytes; places in text are 32-bit.
 const LARGEST: usize = 256 << 20;
 
-pub(super) struct Loaded {
+/// Files that were read and parsed, with what was found on the way.
+#[derive(Debug)]
+pub struct Loaded {
     pub(super) roots: Vec<FileId>,
     pub(super) sources: Sources,
     pub(super) units: Vec<Unit>,
     pub(super) findings: Vec<Diagnostic>,
 }
 
-pub(super) fn load(files: &dyn Files, roots: &[String]) -> Loaded {
+/// Reads and parses `roots` and everything they import. Total. Linear in the size of the files, but for what was parsed
+/// before.
+pub fn load(memo: &mut Memo, files: &dyn Files, roots: &[String]) -> Loaded {
     let mut loader = Loader {
+        memo,
         files,
         known: HashMap::new(),
         loaded: Loaded { roots: Vec::new(), sources: Sources::default(), units: Vec::new(), findings: Vec::new() },
@@ -70,6 +75,7 @@ pub(super) fn load(files: &dyn Files, roots: &[String]) -> Loaded {
 }
 
 struct Loader<'a> {
+    memo: &'a mut Memo,
     files: &'a dyn Files,
     /// Every path that was asked for; `None` for one that could not be read.
     known: HashMap<String, Option<FileId>>,
@@ -101,7 +107,7 @@ impl Loader<'_> {
             return None;
         }
         let text = self.loaded.sources.get(file).map_or("", |source| source.text.as_str());
-        let (tree, findings) = syntax::parse(file, kind.unwrap_or(FileKind::Modes), text);
+        let (tree, findings) = syntax::parse_again(self.memo, file, kind.unwrap_or(FileKind::Modes), text);
         let is_fault = |finding: &&Diagnostic| {
             [&rules::SYNTAX_ERROR, &rules::TOO_DEEP, &rules::KEYWORD_AS_NAME].contains(&finding.rule)
         };

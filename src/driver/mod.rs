@@ -9,9 +9,12 @@ mod load;
 
 pub use compile::{NotCompiled, Plans};
 pub use library::LIBRARY;
-pub use load::{FileError, Files, format, kind};
+pub use load::{FileError, Files, Loaded, format, kind, load};
 
-pub use crate::syntax::is_name;
+pub use crate::syntax::{Memo, is_name};
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use crate::base::{FileId, Sources, Span};
 use crate::diag::{self, Diagnostic, Levels, Rule, Severity, Suppressions};
@@ -26,11 +29,13 @@ pub struct Options {
     pub faults: usize,
     /// Whether properties are proved or refuted. A refuted one is an error, and a program with errors is not run.
     pub verify: bool,
+    /// Set from outside when nobody waits for the properties any more: those that are left are not looked at.
+    pub stop: Arc<AtomicBool>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { levels: Levels::default(), faults: 1, verify: true }
+        Self { levels: Levels::default(), faults: 1, verify: true, stop: Arc::default() }
     }
 }
 
@@ -70,7 +75,12 @@ impl Analysis {
 /// Reads, lowers and checks `roots` and everything they import. Total: it never fails and never panics.
 /// Linear in the size of the files, and in the cases of each mode.
 pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analysis {
-    let load::Loaded { roots, sources, units, mut findings } = load::load(files, roots);
+    examine(load(&mut Memo::default(), files, roots), options)
+}
+
+/// Lowers and checks files that were read: what [`analyze`] does without the outside world.
+pub fn examine(loaded: Loaded, options: &Options) -> Analysis {
+    let Loaded { roots, sources, units, mut findings } = loaded;
     let sema::Lowered { program, diagnostics: mut lowering, uses } = sema::lower(&units, &sources);
     library::suggest(&mut lowering, &sources);
     findings.extend(lowering);
@@ -79,7 +89,8 @@ pub fn analyze(files: &dyn Files, roots: &[String], options: &Options) -> Analys
     findings.extend(sim::placements(&program));
     let is_broken = findings.iter().any(|finding| finding.severity == Severity::Error);
     let checked = plan::Checked::new(&program, &sources, &findings).filter(|_| options.verify);
-    let verified = checked.map(|checked| verify::properties(checked, options.faults, matters)).unwrap_or_default();
+    let verified =
+        checked.map(|checked| verify::properties(checked, options.faults, matters, &options.stop)).unwrap_or_default();
     let verify::Verified { findings: unproved, proved, counterexamples } = verified;
     findings.extend(unproved);
     let suppressions = Suppressions::collect(&sources, &mut findings);

@@ -20,8 +20,12 @@ pub(super) struct Document {
     pub(super) levels: Levels,
     /// An analysis of the text as it stands; `None` after a change.
     pub(super) known: Option<Rc<Known>>,
+    /// Whether that has all that is wanted: its properties were looked at too, or there are none.
+    pub(super) is_thorough: bool,
     /// What the client was told last.
     pub(super) told: Option<Vec<Diagnostic>>,
+    /// Whether that is what is known now.
+    pub(super) is_told: bool,
 }
 
 impl Document {
@@ -44,6 +48,20 @@ pub(super) struct Documents {
 }
 
 impl Documents {
+    /// Whether that is what is known of a document now.
+    pub(super) fn is_current(&self, path: &str, known: &Rc<Known>) -> bool {
+        let document = self.open.get(path).and_then(|document| document.known.as_ref());
+        document.is_some_and(|current| Rc::ptr_eq(current, known))
+    }
+
+    /// A document with properties that were not looked at: its path, what is known of it, and its levels.
+    pub(super) fn unproved(&self) -> Option<(String, Rc<Known>, Levels)> {
+        self.open.iter().find_map(|(path, document)| {
+            let known = document.known.as_ref().filter(|_| !document.is_thorough)?;
+            Some((path.clone(), Rc::clone(known), document.levels.clone()))
+        })
+    }
+
     /// Forgets what is known of the documents that a file takes part in.
     pub(super) fn forget(&mut self, path: &str) {
         for (name, document) in &mut self.open {

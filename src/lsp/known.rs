@@ -14,16 +14,14 @@ use crate::driver::Analysis;
 /// An analysis, with what places in it are in the protocol.
 pub(super) struct Known {
     pub(super) analysis: Analysis,
-    /// Whether properties were looked at too.
-    pub(super) is_thorough: bool,
     lines: Vec<OnceCell<Lines>>,
     declared: OnceCell<Declared>,
 }
 
 impl Known {
-    pub(super) fn new(analysis: Analysis, is_thorough: bool) -> Self {
+    pub(super) fn new(analysis: Analysis) -> Self {
         let lines = analysis.sources.iter().map(|_| OnceCell::new()).collect();
-        Self { analysis, is_thorough, lines, declared: OnceCell::new() }
+        Self { analysis, lines, declared: OnceCell::new() }
     }
 
     /// The file of that path.

@@ -2,7 +2,7 @@
 //! a feature.
 //!
 //! Imports: analysis, base, diag, driver, ir, membership, sema, syntax
-//! Crates: lsp-server, lsp-types
+//! Crates: crossbeam-channel, lsp-server, lsp-types
 
 mod actions;
 mod colors;
@@ -19,6 +19,7 @@ mod known;
 mod lines;
 mod names;
 mod place;
+mod proofs;
 mod rename;
 mod server;
 mod signature;

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 use std::time::Duration;
 
+use crossbeam_channel::{after, never, select};
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
 use lsp_types::notification::{self as notifications, Notification as _};
 use lsp_types::request::{self as requests, Request as _};
@@ -22,11 +23,12 @@ use lsp_types::{
 use super::documents::{Changed, Document, Documents, Overlay};
 use super::folder::Folder;
 use super::known::Known;
+use super::proofs::Proofs;
 use super::{
     Desk, actions, colors, completion, definition, diagnostics, formatting, hints, hover, rename, signature, symbols,
 };
 use crate::base::{FileId, Span};
-use crate::driver::{self, Options};
+use crate::driver::{self, Analysis, Memo, Options};
 
 /// How long the client must be silent before properties are proved or refuted, which can take longer than a keystroke.
 const SILENCE: Duration = Duration::from_millis(300);
@@ -57,6 +59,8 @@ pub fn serve(connection: &Connection, desk: &dyn Desk) -> bool {
         desk,
         folder: Folder::default(),
         documents: Documents::default(),
+        memo: Memo::default(),
+        proofs: Proofs::default(),
         everything: None,
         waiting: VecDeque::new(),
         is_leaving: false,
@@ -81,6 +85,8 @@ struct Server<'a> {
     desk: &'a dyn Desk,
     folder: Folder,
     documents: Documents,
+    memo: Memo,
+    proofs: Proofs,
     /// What is known of all files together, since the last change.
     everything: Option<Rc<Known>>,
     /// Messages that have come and were not looked at yet.
@@ -170,21 +176,40 @@ impl Server<'_> {
 
     /// The next message; `None` when the client is gone. What has to be told is told while none is waiting.
     fn next(&mut self) -> Option<Message> {
-        let receiver = &self.connection.receiver;
-        self.waiting.extend(receiver.try_iter());
-        if let Some(message) = self.waiting.pop_front() {
-            return Some(message);
-        }
-        self.tell(false);
-        let is_thorough = |document: &Document| document.known.as_ref().is_some_and(|known| known.is_thorough);
-        if !self.documents.open.values().all(is_thorough) {
-            match receiver.recv_timeout(SILENCE) {
-                Ok(message) => return Some(message),
-                Err(error) if error.is_disconnected() => return None,
-                Err(_) => self.tell(true),
+        loop {
+            self.waiting.extend(self.connection.receiver.try_iter());
+            if let Some(message) = self.waiting.pop_front() {
+                return Some(message);
+            }
+            self.tell();
+            self.proofs.stop_unless(|path, quick| self.documents.is_current(path, quick));
+            let is_done = self.proofs.is_at_work() || self.documents.unproved().is_none();
+            let silence = if is_done { never() } else { after(SILENCE) };
+            select! {
+                recv(self.connection.receiver) -> message => return message.ok(),
+                recv(self.proofs.result()) -> result => self.proved(result.ok()),
+                recv(silence) -> _ => self.prove(),
             }
         }
-        receiver.recv().ok()
+    }
+
+    /// Has the properties of a document looked at.
+    fn prove(&mut self) {
+        let Some((path, quick, levels)) = self.documents.unproved() else { return };
+        let files = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
+        let loaded = driver::load(&mut self.memo, &files, std::slice::from_ref(&path));
+        self.proofs.begin(&path, quick, loaded, Options { levels, ..Options::default() });
+    }
+
+    /// Takes over what came of that, if the document is still the same. Without a result it is not tried again.
+    fn proved(&mut self, result: Option<Analysis>) {
+        let Some((path, quick)) = self.proofs.end() else { return };
+        if let Some(document) = self.documents.open.get_mut(&path)
+            && document.known.as_ref().is_some_and(|known| Rc::ptr_eq(known, &quick))
+        {
+            let known = result.map_or(quick, |analysis| Rc::new(Known::new(analysis)));
+            (document.known, document.is_thorough, document.is_told) = (Some(known), true, false);
+        }
     }
 
     /// A client that is gone is noticed where the next message is waited for.
@@ -226,7 +251,7 @@ impl Server<'_> {
                 Ok(items.map(CompletionResponse::Array))
             }),
             requests::DocumentSymbolRequest::METHOD => reply::<requests::DocumentSymbolRequest>(request, |of| {
-                let known = self.know(&self.folder.path(&of.text_document.uri), false);
+                let known = self.know(&self.folder.path(&of.text_document.uri));
                 Ok(known.map(|known| DocumentSymbolResponse::Nested(symbols::outline(&known, ROOT))))
             }),
             requests::WorkspaceSymbolRequest::METHOD => reply::<requests::WorkspaceSymbolRequest>(request, |of| {
@@ -235,7 +260,7 @@ impl Server<'_> {
             }),
             requests::SemanticTokensFullRequest::METHOD => {
                 reply::<requests::SemanticTokensFullRequest>(request, |of| {
-                    let known = self.know(&self.folder.path(&of.text_document.uri), false);
+                    let known = self.know(&self.folder.path(&of.text_document.uri));
                     let colors = known.map(|known| colors::colors(&known, ROOT));
                     Ok(colors.map(|data| SemanticTokensResult::Tokens(SemanticTokens { result_id: None, data })))
                 })
@@ -248,7 +273,7 @@ impl Server<'_> {
                 Ok(found.and_then(|(known, byte)| signature::signature(&known, ROOT, byte)))
             }),
             requests::InlayHintRequest::METHOD => reply::<requests::InlayHintRequest>(request, |of| {
-                let known = self.know(&self.folder.path(&of.text_document.uri), false);
+                let known = self.know(&self.folder.path(&of.text_document.uri));
                 Ok(known.map(|known| {
                     let bytes = known.byte(ROOT, of.range.start)..known.byte(ROOT, of.range.end) + 1;
                     hints::hints(&known, ROOT, &bytes)
@@ -321,7 +346,10 @@ impl Server<'_> {
         let levels = self.desk.levels(&self.folder.on_disk(&path));
         self.documents.forget_all();
         let (uri, text, version) = (document.uri, document.text, document.version);
-        self.documents.open.insert(path, Document { uri, text, version, levels, known: None, told: None });
+        self.documents.open.insert(
+            path,
+            Document { uri, text, version, levels, known: None, is_thorough: false, told: None, is_told: false },
+        );
     }
 
     fn changed(&mut self, changed: DidChangeTextDocumentParams) {
@@ -358,23 +386,26 @@ impl Server<'_> {
         self.documents.forget_all();
     }
 
-    /// What is known of a document; looks at it where nothing is, and again where a more thorough look is wanted.
-    fn know(&mut self, path: &str, thorough: bool) -> Option<Rc<Known>> {
+    /// What is known of a document; looks at it where nothing is.
+    fn know(&mut self, path: &str) -> Option<Rc<Known>> {
         let document = self.documents.open.get(path)?;
-        if let Some(known) = document.known.as_ref().filter(|known| known.is_thorough || !thorough) {
+        if let Some(known) = &document.known {
             return Some(Rc::clone(known));
         }
         let files = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
-        let options = Options { levels: document.levels.clone(), verify: thorough, ..Options::default() };
-        let analysis = driver::analyze(&files, &[path.to_owned()], &options);
-        let known = Rc::new(Known::new(analysis, thorough));
-        self.documents.open.get_mut(path)?.known = Some(Rc::clone(&known));
+        let loaded = driver::load(&mut self.memo, &files, &[path.to_owned()]);
+        let options = Options { levels: document.levels.clone(), verify: false, ..Options::default() };
+        let analysis = driver::examine(loaded, &options);
+        let is_thorough = analysis.program.properties.is_empty();
+        let known = Rc::new(Known::new(analysis));
+        let document = self.documents.open.get_mut(path)?;
+        (document.known, document.is_thorough, document.is_told) = (Some(Rc::clone(&known)), is_thorough, false);
         Some(known)
     }
 
     /// What is known of the document of a position, and the byte there.
     fn at(&mut self, of: &TextDocumentPositionParams) -> Option<(Rc<Known>, usize)> {
-        let known = self.know(&self.folder.path(&of.text_document.uri), false)?;
+        let known = self.know(&self.folder.path(&of.text_document.uri))?;
         let byte = known.byte(ROOT, of.position);
         Some((known, byte))
     }
@@ -399,8 +430,10 @@ impl Server<'_> {
         if let Some(known) = &self.everything {
             return Rc::clone(known);
         }
+        let paths = self.all_paths();
         let files = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
-        let known = Rc::new(Known::new(driver::analyze(&files, &self.all_paths(), &all()), false));
+        let loaded = driver::load(&mut self.memo, &files, &paths);
+        let known = Rc::new(Known::new(driver::examine(loaded, &all())));
         self.everything = Some(Rc::clone(&known));
         known
     }
@@ -413,7 +446,7 @@ impl Server<'_> {
 
     /// The fixes for a range of a document, of the kinds that are asked for.
     fn actions(&mut self, of: &CodeActionParams) -> Option<Vec<CodeActionOrCommand>> {
-        let known = self.know(&self.folder.path(&of.text_document.uri), false)?;
+        let known = self.know(&self.folder.path(&of.text_document.uri))?;
         let bytes = known.byte(ROOT, of.range.start)..=known.byte(ROOT, of.range.end);
         let is_wanted = |kind: Option<&CodeActionKind>| match (&of.context.only, kind) {
             (Some(only), Some(kind)) => only.iter().any(|wanted| kind.as_str().starts_with(wanted.as_str())),
@@ -453,29 +486,33 @@ impl Server<'_> {
         let texts = rename::renamed(&known, &places, new);
         let texts =
             texts.into_iter().map(|(file, text)| (known.analysis.sources.path(file).to_owned(), text)).collect();
+        let paths = self.all_paths();
         let under = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
-        let after = driver::analyze(&Changed { texts, under }, &self.all_paths(), &all());
-        match rename::new_error(&known, &Known::new(after, false)) {
+        let changed = driver::load(&mut self.memo, &Changed { texts, under }, &paths);
+        let after = driver::examine(changed, &all());
+        match rename::new_error(&known, &Known::new(after)) {
             Some(message) => Err(refused(format!("with that name {message}"))),
             None => Ok(Some(rename::edit(&known, &places, new, &self.folder))),
         }
     }
 
-    /// Publishes what is found in the documents that have changed, where it is something else than before.
-    fn tell(&mut self, thorough: bool) {
-        let is_unknown =
-            |document: &Document| document.known.as_ref().is_none_or(|known| thorough && !known.is_thorough);
-        let open = self.documents.open.iter();
-        let changed: Vec<_> = open.filter(|(_, document)| is_unknown(document)).map(|(path, _)| path.clone()).collect();
-        for path in changed {
-            let Some(known) = self.know(&path, thorough) else { continue };
+    /// Publishes what is found in the documents of which something new is known, where it is something else than before.
+    fn tell(&mut self) {
+        let untold = self.documents.open.iter().filter(|(_, document)| document.known.is_none() || !document.is_told);
+        let untold: Vec<_> = untold.map(|(path, _)| path.clone()).collect();
+        for path in &untold {
+            let Some(known) = self.know(path) else { continue };
             let found = diagnostics::diagnostics(&known, ROOT, &self.folder);
-            let Some(document) = self.documents.open.get_mut(&path) else { continue };
+            let Some(document) = self.documents.open.get_mut(path) else { continue };
+            document.is_told = true;
             if document.told.as_ref() != Some(&found) {
                 document.told = Some(found.clone());
                 let (uri, version) = (document.uri.clone(), document.version);
                 self.publish(uri, Some(version), found);
             }
+        }
+        if !untold.is_empty() {
+            self.memo.forget_unused();
         }
     }
 

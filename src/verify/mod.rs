@@ -12,6 +12,8 @@ mod told;
 pub use scenario::{Counterexample, Replay, time, written};
 pub use told::{Number, Stretch, Told, readings};
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::analysis::modes::{Proof, Prover, Stimulus};
 use crate::base::{FileId, Id};
 use crate::diag::Diagnostic;
@@ -38,7 +40,13 @@ const TENTHS: [u64; 4] = [10, 9, 7, 3];
 /// Proves or refutes the properties that the files that matter declare, with at most so many sensors failed at a time.
 ///
 /// Ticks are at most as long as those of the scenarios that run the behavior, and at most 10 ms where none is longer.
-pub fn properties(checked: Checked<'_>, faults: usize, matters: impl Fn(FileId) -> bool) -> Verified {
+/// Those that are left when `stop` is set are not looked at.
+pub fn properties(
+    checked: Checked<'_>,
+    faults: usize,
+    matters: impl Fn(FileId) -> bool,
+    stop: &AtomicBool,
+) -> Verified {
     let program = checked.program();
     let mut verified = Verified::default();
     let mut properties: Vec<_> =
@@ -49,6 +57,9 @@ pub fn properties(checked: Checked<'_>, faults: usize, matters: impl Fn(FileId) 
         let tick = longest_tick(program, first.diagram);
         let prover = Prover::new(program, &program.diagrams[first.diagram], faults, tick);
         for (id, property) in of_one {
+            if stop.load(Ordering::Relaxed) {
+                return verified;
+            }
             match prover.prove(property.claim) {
                 Proof::Proved => verified.proved += 1,
                 Proof::Open { reason, provable, stimuli } => {

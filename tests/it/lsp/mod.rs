@@ -4,6 +4,7 @@ mod client;
 mod completion;
 mod features;
 mod names;
+mod open;
 mod stdio;
 
 use serde_json::{Value, json};
