@@ -502,7 +502,8 @@ impl Server<'_> {
         let untold: Vec<_> = untold.map(|(path, _)| path.clone()).collect();
         for path in &untold {
             let Some(known) = self.know(path) else { continue };
-            let found = diagnostics::diagnostics(&known, ROOT, &self.folder);
+            let found =
+                diagnostics::diagnostics(&known, ROOT, |path| self.documents.open.contains_key(path), &self.folder);
             let Some(document) = self.documents.open.get_mut(path) else { continue };
             document.is_told = true;
             if document.told.as_ref() != Some(&found) {

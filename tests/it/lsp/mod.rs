@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use client::{Client, uri};
 
-const ROBOT: &str = "\
+pub const ROBOT: &str = "\
 import std.robots.j5
 
 /// Fährt 🌏 hin und her.

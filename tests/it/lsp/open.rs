@@ -1,10 +1,42 @@
-//! Long work on what stands open.
+//! What stands open: texts without a file, files that are not open, and long work on what is.
 
 use serde_json::json;
 
+use super::ROBOT;
 use super::client::{Client, uri};
 
 const CANCELLED: i32 = -32800;
+
+#[test]
+fn errors_in_a_file_that_is_not_open_are_told_where_it_is_imported() {
+    let broken = ROBOT.replace("-> there", "-> nowhere").replace("drive(26 cm/s)", "drive(26 cm)");
+    let mut client = Client::new(&[("b.msd", &broken), ("c.msd", "import b\n")]);
+    let text = "import std.robots.j5\nimport c\nimport b\nscenario s runs to_and_fro { duration 3 s }";
+    client.open("a.msd", text);
+    let found = client.wait("a.msd");
+    assert_eq!(found.iter().filter(|found| found.starts_with("1 `b.msd` has 2 errors: ")).count(), 1, "{found:?}");
+    let at_import =
+        client.found["a.msd"].iter().find(|found| found["message"].as_str().unwrap().starts_with("`b.msd`"));
+    let at_import = at_import.unwrap().clone();
+    assert_eq!(client.slice("a.msd", &at_import["range"]), "import b");
+    let related = at_import["relatedInformation"].as_array().unwrap();
+    let places: Vec<_> = related.iter().map(|related| Client::shown(&related["location"])).collect();
+    assert_eq!(places, ["b.msd:7:15", "b.msd:12:25"]);
+    assert!(related[1]["message"].as_str().unwrap().starts_with("no mode is named `nowhere`"), "{related:?}");
+
+    client.open("b.msd", &broken);
+    assert_eq!(client.wait("b.msd").len(), 2);
+    let found = client.messages("a.msd");
+    assert!(!found.iter().any(|found| found.contains("b.msd")), "an open file has its errors itself: {found:?}");
+    client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri("b.msd") } }));
+    assert!(client.wait("a.msd").iter().any(|found| found.contains("`b.msd` has 2 errors")));
+    client.replace("a.msd", "import b\n", "");
+    assert!(client.wait("a.msd").iter().any(|found| found.contains("`b.msd` has 2 errors")));
+    let through = client.found["a.msd"].iter().find(|found| found["message"].as_str().unwrap().starts_with("`b.msd`"));
+    let range = through.unwrap()["range"].clone();
+    assert_eq!(client.slice("a.msd", &range), "import c", "it is imported through another");
+    assert!(client.leave());
+}
 
 /// A behavior of many modes, and so many properties of it.
 fn long(modes: usize, properties: usize) -> String {
