@@ -12,6 +12,11 @@ use crate::syntax::{self, Memo, ast, ast::FileKind};
 pub trait Files {
     /// The text of a file.
     fn read(&self, path: &str) -> Result<String, FileError>;
+
+    /// The kind of a file; `None` for one that is not of the language.
+    fn kind(&self, path: &str) -> Option<FileKind> {
+        kind(path)
+    }
 }
 
 /// Why a file's text cannot be had.
@@ -98,7 +103,7 @@ impl Loader<'_> {
             Err(error) => (String::new(), Some(unreadable(&path, &error))),
         };
         let file = self.loaded.sources.add(path.clone(), text);
-        let kind = kind(&path);
+        let kind = self.files.kind(&path);
         let problem = problem.or_else(|| kind.is_none().then(|| unknown_kind(&path)));
         if let Some((rule, message, help)) = problem {
             let span = Span::new(file, 0, 0);

@@ -5,7 +5,7 @@ use lsp_types::{CompletionItem, CompletionItemKind, Documentation};
 use super::known::Known;
 use super::place::{List, Place};
 use crate::base::{FileId, Id, UNITS};
-use crate::driver::{self, LIBRARY};
+use crate::driver::LIBRARY;
 use crate::ir::{Diagram, Network, Program, Symbol, Term};
 use crate::sema;
 
@@ -166,7 +166,8 @@ impl Here<'_> {
     }
 
     fn outermost(&self) -> Vec<CompletionItem> {
-        match driver::kind(self.known.analysis.sources.path(self.file)) {
+        let unit = self.known.analysis.units.iter().find(|unit| unit.file == self.file);
+        match unit.map(|unit| unit.tree.kind) {
             Some(crate::syntax::ast::FileKind::Fusion) => words(&["import", "network", "variable"]),
             _ => words(&["behavior", "import", "interface", "property", "robot", "scenario", "world"]),
         }

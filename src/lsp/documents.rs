@@ -9,7 +9,8 @@ use super::folder::Folder;
 use super::known::Known;
 use super::{Desk, Lines};
 use crate::diag::Levels;
-use crate::driver::{FileError, Files};
+use crate::driver::{self, FileError, Files};
+use crate::syntax::{self, ast::FileKind};
 
 /// A text that is open, and what is known of it.
 pub(super) struct Document {
@@ -93,6 +94,10 @@ impl Files for Overlay<'_> {
             None => self.desk.read(&self.folder.on_disk(path)),
         }
     }
+
+    fn kind(&self, path: &str) -> Option<FileKind> {
+        driver::kind(path).or_else(|| self.documents.open.get(path).map(|document| syntax::kind_of(&document.text)))
+    }
 }
 
 /// Some texts over all others: files as they would be after a change.
@@ -104,5 +109,9 @@ pub(super) struct Changed<'a> {
 impl Files for Changed<'_> {
     fn read(&self, path: &str) -> Result<String, FileError> {
         self.texts.get(path).map_or_else(|| self.under.read(path), |text| Ok(text.clone()))
+    }
+
+    fn kind(&self, path: &str) -> Option<FileKind> {
+        self.under.kind(path)
     }
 }

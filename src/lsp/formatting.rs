@@ -3,15 +3,13 @@
 use lsp_types::TextEdit;
 
 use super::Lines;
-use crate::base::Sources;
-use crate::driver;
+use crate::base::FileId;
+use crate::syntax::{self, ast::FileKind};
 
 /// The change that formats a text: nothing where it is laid out so, or does not parse. Lines that stay are left out at
 /// either end, so that the cursor keeps its place.
-pub(super) fn formatting(path: &str, text: &str) -> Vec<TextEdit> {
-    let mut sources = Sources::default();
-    let file = sources.add(path, text);
-    let Ok(formatted) = driver::format(&sources, file) else { return Vec::new() };
+pub(super) fn formatting(kind: FileKind, text: &str) -> Vec<TextEdit> {
+    let Ok(formatted) = syntax::format(FileId(0), kind, text) else { return Vec::new() };
     if formatted == text {
         return Vec::new();
     }

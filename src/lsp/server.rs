@@ -28,10 +28,13 @@ use super::{
     Desk, actions, colors, completion, definition, diagnostics, formatting, hints, hover, rename, signature, symbols,
 };
 use crate::base::{FileId, Span};
-use crate::driver::{self, Analysis, Memo, Options};
+use crate::driver::{self, Analysis, Files, Memo, Options};
 
 /// How long the client must be silent before properties are proved or refuted, which can take longer than a keystroke.
 const SILENCE: Duration = Duration::from_millis(300);
+
+/// The language of both kinds of file, as clients call it.
+const LANGUAGE: &str = "lmsl";
 
 /// The file that an analysis of one file was asked for is its first.
 const ROOT: FileId = FileId(0);
@@ -339,8 +342,9 @@ impl Server<'_> {
     fn opened(&mut self, opened: DidOpenTextDocumentParams) {
         let document = opened.text_document;
         let path = self.folder.path(&document.uri);
-        // A client may be set up to open more with us than is ours.
-        if driver::kind(&path).is_none() {
+        // A client may be set up to open more with us than is ours. A text that has no file yet is ours if it says so.
+        let is_file = document.uri.as_str().starts_with("file:");
+        if driver::kind(&path).is_none() && (is_file || document.language_id != LANGUAGE) {
             return;
         }
         let levels = self.desk.levels(&self.folder.on_disk(&path));
@@ -524,7 +528,7 @@ impl Server<'_> {
 
     fn format(&self, of: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
         let path = self.folder.path(&of.text_document.uri);
-        let document = self.documents.open.get(&path)?;
-        Some(formatting::formatting(&path, &document.text))
+        let files = Overlay { documents: &self.documents, folder: &self.folder, desk: self.desk };
+        Some(formatting::formatting(files.kind(&path)?, &self.documents.open.get(&path)?.text))
     }
 }

@@ -8,4 +8,4 @@ mod format;
 mod parse;
 
 pub use format::format;
-pub use parse::{KEYWORDS, Memo, Token, TokenKind, is_name, parse, parse_again, tokens};
+pub use parse::{KEYWORDS, Memo, Token, TokenKind, is_name, kind_of, parse, parse_again, tokens};

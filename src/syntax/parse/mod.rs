@@ -96,6 +96,14 @@ pub fn is_name(text: &str) -> bool {
     is_word && text != "_" && KEYWORDS.binary_search(&text).is_err()
 }
 
+/// The kind of file that a text without a name is written for: that of its first declaration that belongs in one kind.
+pub fn kind_of(text: &str) -> FileKind {
+    let scan = Scan::new(text);
+    let layout = Layout::new(text, &scan);
+    let first = layout.declarations().into_iter().map(|piece| layout.word(piece.start)).find(|word| *word != "import");
+    if matches!(first, Some("variable" | "network")) { FileKind::Fusion } else { FileKind::Modes }
+}
+
 /// Parses a file of either kind. Total: any text gives a tree and findings. Linear in the text.
 ///
 /// Raises LM0101, LM0102, LM0103, LM0104 and, for options that are said twice, LM0310.

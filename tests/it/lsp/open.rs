@@ -1,11 +1,52 @@
 //! What stands open: texts without a file, files that are not open, and long work on what is.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::ROBOT;
 use super::client::{Client, uri};
 
 const CANCELLED: i32 = -32800;
+
+/// Opens a text that was never saved.
+fn open_untitled(client: &mut Client, language: &str, text: &str) {
+    let document = json!({ "uri": "untitled:Untitled-1", "languageId": language, "version": 1, "text": text });
+    client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+}
+
+/// Answers a request about that.
+fn of_untitled(client: &mut Client, method: &str) -> Value {
+    let options = json!({ "tabSize": 4, "insertSpaces": true });
+    let position = json!({ "line": 0, "character": 0 });
+    let document = json!({ "uri": "untitled:Untitled-1" });
+    client.request(method, json!({ "textDocument": document, "position": position, "options": options }))
+}
+
+#[test]
+fn a_text_that_was_never_saved_is_of_the_kind_that_it_is_written_for() {
+    let mut client = Client::new(&[("b.msd", ROBOT)]);
+    open_untitled(&mut client, "lmsl", "import b\nscenario s runs to_and_fro { duration 3 s }");
+    assert!(client.wait("untitled:Untitled-1").is_empty());
+    assert_eq!(of_untitled(&mut client, "textDocument/formatting").as_array().unwrap().len(), 1);
+    assert_eq!(of_untitled(&mut client, "textDocument/documentSymbol")[0]["name"], "s");
+    client.notify("textDocument/didClose", json!({ "textDocument": { "uri": "untitled:Untitled-1" } }));
+    client.wait("untitled:Untitled-1");
+    open_untitled(&mut client, "lmsl", "variable speed: m/s in 0 .. 1 {\n    slow = falling(0 m/s, 1 m)\n}\n");
+    let found = client.wait("untitled:Untitled-1");
+    assert!(
+        found.iter().any(|found| found.contains('m')) && !found.iter().any(|found| found.contains(".msd")),
+        "{found:?}"
+    );
+    let labels = of_untitled(&mut client, "textDocument/completion");
+    let labels: Vec<_> = labels.as_array().unwrap().iter().map(|item| item["label"].as_str().unwrap()).collect();
+    assert!(labels.contains(&"network") && !labels.contains(&"behavior"), "{labels:?}");
+    client.notify("textDocument/didClose", json!({ "textDocument": { "uri": "untitled:Untitled-1" } }));
+    client.wait("untitled:Untitled-1");
+    open_untitled(&mut client, "plaintext", "variable {");
+    client.open("a.msd", ROBOT);
+    client.wait("a.msd");
+    assert_eq!(client.found["untitled:Untitled-1"], Vec::<Value>::new(), "what is not of the language is left alone");
+    assert!(client.leave());
+}
 
 #[test]
 fn errors_in_a_file_that_is_not_open_are_told_where_it_is_imported() {
