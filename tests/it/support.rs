@@ -90,6 +90,16 @@ pub fn files_below(folder: &str, endings: &[&str]) -> Vec<String> {
     paths
 }
 
+/// Demands that a picture of the documentation is what is drawn now. With `UPDATE_PICTURES=1` it is redrawn.
+pub fn keep_picture(path: &Path, drawn: &str) {
+    if std::env::var("UPDATE_PICTURES").is_ok() {
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, drawn).unwrap();
+    }
+    let kept = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(kept == drawn, "{} is out of date; UPDATE_PICTURES=1 cargo test redraws it", path.display());
+}
+
 /// A fenced block of a Markdown page.
 #[derive(Debug, Clone)]
 pub struct Fence {
@@ -101,18 +111,21 @@ pub struct Fence {
     pub tag: String,
     /// The file it is, where it says so: `file=bump.fsfn`.
     pub file: Option<String>,
+    /// Whether it is a part of a file that is there already, made by a command: `file=bump.rs part`.
+    pub is_part: bool,
+    /// What it says; behind `file=bump.fsfn change` the whole file as it is with that change.
     pub text: String,
 }
 
 impl Fence {
     /// Whether it is text of the language, of either kind.
     pub fn is_program(&self) -> bool {
-        matches!(self.tag.as_str(), "msd" | "fsfn" | "msd,later" | "fsfn,later")
+        matches!(self.tag.split(',').next(), Some("msd" | "fsfn"))
     }
 
     /// The path under which it is analyzed.
     pub fn path(&self) -> String {
-        let ending = self.tag.trim_end_matches(",later");
+        let ending = self.tag.split(',').next().unwrap();
         self.file.clone().unwrap_or_else(|| format!("page.{ending}"))
     }
 }
@@ -120,35 +133,70 @@ impl Fence {
 /// The fenced blocks of a Markdown page, in order.
 pub fn fences(page: &str) -> Vec<Fence> {
     let mut fences: Vec<Fence> = Vec::new();
-    let (mut section, mut open) = (String::new(), false);
-    for (line, number) in page.lines().zip(1..) {
-        match line.strip_prefix("```") {
-            Some(_) if open => open = false,
-            Some(info) => {
-                let tag = info.split(' ').next().unwrap().to_owned();
-                let file = info.split_once("file=").map(|(_, file)| file.trim().to_owned());
-                fences.push(Fence { line: number + 1, section: section.clone(), tag, file, text: String::new() });
-                open = true;
-            }
-            None if open => {
-                let text = &mut fences.last_mut().unwrap().text;
-                text.push_str(line);
-                text.push('\n');
-            }
-            None => {
-                if let Some(heading) = line.strip_prefix("## ") {
-                    heading.trim().clone_into(&mut section);
-                }
+    let mut section = String::new();
+    let mut lines = page.lines().zip(1..);
+    while let Some((line, number)) = lines.next() {
+        if let Some(heading) = line.strip_prefix("## ") {
+            heading.trim().clone_into(&mut section);
+        }
+        let Some(info) = line.strip_prefix("```") else { continue };
+        let mut text = String::new();
+        loop {
+            match lines.next().expect("a fence is not closed") {
+                ("```", _) => break,
+                (line, _) => text += &format!("{line}\n"),
             }
         }
+        let mut words = info.split(' ');
+        let tag = words.next().unwrap().to_owned();
+        let file = words.find_map(|word| word.strip_prefix("file=")).map(str::to_owned);
+        let is_part = match words.next() {
+            None => false,
+            Some("part") => true,
+            Some("change") => {
+                let before = fences.iter().rfind(|fence| fence.file == file).expect("a file to change");
+                text = changed(&before.text, &text);
+                false
+            }
+            Some(other) => panic!("line {number}: `{other}`"),
+        };
+        fences.push(Fence { line: number + 1, section: section.clone(), tag, file, is_part, text });
     }
-    assert!(!open, "a fence is not closed");
     fences
 }
 
-/// Analyzes the last of some fences; those before it are the files it may import.
+/// A file in which declarations take the place of the one that begins like their first, or stand at the end.
+fn changed(before: &str, change: &str) -> String {
+    let is_comment = |line: &&str| line.trim_start().starts_with("//");
+    let first = change.lines().find(|line| !is_comment(line)).unwrap();
+    let name = |line: &str| {
+        let words = line.split(|c: char| c.is_whitespace() || c == ':').filter(|word| !word.is_empty());
+        words.take(2).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let lines: Vec<&str> = before.lines().collect();
+    let Some(found) = lines.iter().position(|line| name(line) == name(first)) else {
+        return format!("{before}\n{change}");
+    };
+    let start = found - lines[..found].iter().rev().take_while(|line| is_comment(line)).count();
+    let indentation = |line: &str| line.len() - line.trim_start().len();
+    let closes = |line: &&str| line.trim() == "}" && indentation(line) == indentation(lines[found]);
+    let end = if lines[found].trim_end().ends_with('{') {
+        found + 1 + lines[found..].iter().position(closes).unwrap()
+    } else {
+        found + 1
+    };
+    let [above, below] = [&lines[..start], &lines[end..]].map(|part| part.iter().map(|line| format!("{line}\n")));
+    above.chain([change.to_owned()]).chain(below).collect()
+}
+
+/// Analyzes the last of some fences; those before it are the files it may import, as they stand last.
 pub fn analyze_fences(fences: &[&Fence]) -> Analysis {
-    let texts: Vec<_> = fences.iter().rev().map(|fence| (fence.path(), fence.text.as_str())).collect();
+    let mut texts: Vec<(String, &str)> = Vec::new();
+    for fence in fences.iter().rev() {
+        if texts.iter().all(|(path, _)| *path != fence.path()) {
+            texts.push((fence.path(), &fence.text));
+        }
+    }
     let texts: Vec<_> = texts.iter().map(|(path, text)| (path.as_str(), *text)).collect();
     analyze_texts(&texts)
 }
