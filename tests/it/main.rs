@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, clippy::print_stderr, reason = "tests read files")]
 
 mod architecture;
+mod book;
 mod charts;
 mod ci;
 mod cli;

@@ -1,0 +1,67 @@
+//! Every command is documented, with every option.
+
+use std::collections::BTreeSet;
+use std::process::Command;
+
+use crate::support::root;
+
+fn read(path: &str) -> String {
+    std::fs::read_to_string(root().join(path)).unwrap()
+}
+
+/// What `lmslc` prints when it is asked for help.
+fn help(command: &str) -> String {
+    let arguments = command.split_whitespace().chain(["--help"]);
+    let output = Command::new(env!("CARGO_BIN_EXE_lmslc")).args(arguments).output().unwrap();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The commands there are.
+fn commands() -> Vec<String> {
+    let help = help("");
+    let listed = help.split_once("Commands:\n").unwrap().1.split("\n\n").next().unwrap().to_owned();
+    let names = listed.lines().map(|line| line.split_whitespace().next().unwrap().to_owned());
+    names.filter(|name| name != "help").collect()
+}
+
+/// The options that a help text lists, and the values that they can take where these are listed.
+fn offered(help: &str) -> BTreeSet<String> {
+    let mut offered = BTreeSet::new();
+    for line in help.lines().map(str::trim_start) {
+        if line.starts_with('-') && !line.starts_with("- ") {
+            offered
+                .extend(line.split([' ', ',', '=']).take(3).filter(|word| word.starts_with("--")).map(str::to_owned));
+        }
+        let value = line.strip_prefix("- ").and_then(|line| line.split_once(':'));
+        offered.extend(value.map(|(value, _)| value.to_owned()));
+    }
+    offered
+}
+
+/// The text below a heading of level two.
+fn section(page: &str, heading: &str) -> String {
+    let rest = page.split_once(&format!("\n## {heading}\n")).unwrap_or_else(|| panic!("no section `{heading}`")).1;
+    rest.split("\n## ").next().unwrap().to_owned()
+}
+
+#[test]
+fn every_command_is_documented_with_every_option() {
+    let page = read("docs/commands.md");
+    let everywhere = section(&page, "Everywhere");
+    let commands = commands();
+    assert!(commands.len() >= 14, "{commands:?}");
+    assert_eq!(page.matches("\n## `lmslc ").count(), commands.len(), "a section for each of {commands:?}");
+    for command in &commands {
+        let section = section(&page, &format!("`lmslc {command}`"));
+        let offered = offered(&help(command));
+        let is_told = |text: &str, option: &str| text.split(['`', ' ', '\n', '|']).any(|word| word == option);
+        for option in &offered {
+            assert!(is_told(&section, option) || is_told(&everywhere, option), "`lmslc {command}` has {option}");
+        }
+        for row in section.lines().filter_map(|line| line.strip_prefix("| `-")) {
+            let option = format!("-{}", row.split(['`', ' ', ',']).next().unwrap());
+            let is_offered = offered.contains(&option) || help(command).contains(&format!(" {option}, "));
+            assert!(is_offered, "`lmslc {command}` has no {option}");
+        }
+    }
+}
