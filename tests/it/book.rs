@@ -1,12 +1,43 @@
-//! Every command is documented, with every option.
+//! The documentation is whole: it has every picture, every command and every option.
 
 use std::collections::BTreeSet;
 use std::process::Command;
 
-use crate::support::root;
+use lmslc::ir::Symbol;
+use lmslc::view::{self, chart};
+
+use crate::support::{analyze_path, files_below, keep_picture, root};
 
 fn read(path: &str) -> String {
     std::fs::read_to_string(root().join(path)).unwrap()
+}
+
+/// Each behavior and network that a file of the library or an example declares, with its picture.
+fn pictures() -> Vec<(String, String)> {
+    let mut pictures = Vec::new();
+    for path in ["stdlib", "examples"].iter().flat_map(|folder| files_below(folder, &["msd", "fsfn"])) {
+        let analysis = analyze_path(&path);
+        let (program, sources) = (&analysis.program, &analysis.sources);
+        let is_own = |symbol: &Symbol| analysis.roots.contains(&symbol.span.file);
+        for (id, diagram) in program.diagrams.iter().filter(|(_, diagram)| is_own(&diagram.symbol)) {
+            pictures.push((diagram.symbol.name.clone(), chart::svg(&chart::Chart::new(program, sources, id))));
+        }
+        for network in program.networks.values().filter(|network| is_own(&network.symbol)) {
+            pictures.push((network.symbol.name.clone(), view::network(program, sources, network)));
+        }
+    }
+    pictures
+}
+
+#[test]
+fn every_behavior_and_network_hangs_in_the_gallery() {
+    let (gallery, pictures) = (read("docs/gallery.md"), pictures());
+    assert!(pictures.len() >= 10);
+    for (name, picture) in &pictures {
+        assert!(gallery.contains(&format!("](images/{name}.svg)")), "docs/gallery.md does not show {name}");
+        keep_picture(&root().join(format!("docs/images/{name}.svg")), picture);
+    }
+    assert_eq!(gallery.matches("](images/").count(), pictures.len(), "docs/gallery.md shows what is no more");
 }
 
 /// What `lmslc` prints when it is asked for help.
