@@ -1,8 +1,9 @@
-//! The documentation is whole: it has every picture, every command and every option.
+//! The book is whole: it has every page, every picture, every command and every option.
 
 use std::collections::BTreeSet;
 use std::process::Command;
 
+use lmslc::diag::{RULES, Rule};
 use lmslc::ir::Symbol;
 use lmslc::view::{self, chart};
 
@@ -10,6 +11,31 @@ use crate::support::{analyze_path, files_below, keep_picture, root};
 
 fn read(path: &str) -> String {
     std::fs::read_to_string(root().join(path)).unwrap()
+}
+
+#[test]
+fn every_page_stands_in_the_summary_once() {
+    let summary = read("docs/SUMMARY.md");
+    for page in files_below("docs", &["md"]).iter().map(|path| path.trim_start_matches("docs/")) {
+        let count = summary.matches(&format!("]({page})")).count();
+        assert_eq!(count, usize::from(page != "SUMMARY.md"), "{page} in docs/SUMMARY.md");
+    }
+}
+
+#[test]
+fn the_summary_lists_every_rule() {
+    let line = |rule: &&Rule| format!("  - [{0}: {1}](errors/{0}.md)\n", rule.code, rule.name);
+    let expected: String = RULES.iter().map(line).collect();
+    assert!(read("docs/SUMMARY.md").contains(&expected), "copy this to docs/SUMMARY.md:\n{expected}");
+}
+
+#[test]
+fn the_book_colors_the_keywords_of_the_language() {
+    let script = read("docs/book/lmsl.js");
+    let listed = script.split_once("keyword:").unwrap().1.split_once("},").unwrap().0;
+    let listed: Vec<_> = listed.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    let keywords: Vec<_> = lmslc::syntax::KEYWORDS.iter().copied().filter(|word| *word != "_").collect();
+    assert_eq!(listed, keywords);
 }
 
 /// Each behavior and network that a file of the library or an example declares, with its picture.

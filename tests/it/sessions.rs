@@ -90,7 +90,7 @@ fn sessions_are_real() {
         }
         pictures_are_drawn(&page, &text, folder.path());
     }
-    assert!(count > 3);
+    assert!(count > 5);
 }
 
 /// The pictures that a page shows of its sessions are those that they drew. With `UPDATE_PICTURES=1` they are redrawn.
