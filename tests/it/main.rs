@@ -11,6 +11,7 @@ mod columns;
 mod corpus;
 mod defects;
 mod docs;
+mod editors;
 mod emit;
 mod emit_harness;
 mod emit_programs;

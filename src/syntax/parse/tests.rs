@@ -11,16 +11,17 @@ use crate::base::FileId;
 use crate::diag::Diagnostic;
 use crate::syntax::ast::{self, DiagramItem, Expr, ExprKind, File, FileKind, Item};
 
-const CORPUS: [&str; 8] = [
-    include_str!("../../../tests/corpus/syntax/pass/arbiters.msd"),
-    include_str!("../../../tests/corpus/syntax/pass/behaviors.msd"),
-    include_str!("../../../tests/corpus/syntax/pass/line_endings.fsfn"),
-    include_str!("../../../tests/corpus/syntax/pass/navigator.fsfn"),
-    include_str!("../../../tests/corpus/syntax/pass/obstacle_id.fsfn"),
-    include_str!("../../../tests/corpus/syntax/pass/old_line_endings.msd"),
-    include_str!("../../../tests/corpus/syntax/pass/robots.msd"),
-    include_str!("../../../tests/corpus/syntax/pass/trials.msd"),
-];
+/// The files of the corpus that parse, with their names.
+macro_rules! corpus {
+    ($($name:literal)*) => {
+        &[$(($name, include_str!(concat!("../../../tests/corpus/syntax/pass/", $name)))),*]
+    };
+}
+
+const CORPUS: &[(&str, &str)] = corpus!(
+    "arbiters.msd" "behaviors.msd" "line_endings.fsfn" "navigator.fsfn" "obstacle_id.fsfn" "old_line_endings.msd"
+    "robots.msd" "trials.msd"
+);
 
 /// Rules that never yield a node: silent ones, and those that only look ahead.
 fn is_silent(rule: Rule) -> bool {
@@ -95,7 +96,7 @@ fn show_unit(unit: &ast::Unit) -> String {
 #[test]
 fn every_rule_is_exercised_by_the_corpus() {
     let mut seen = BTreeSet::from([Rule::EOI]);
-    for text in CORPUS {
+    for (_, text) in CORPUS {
         let scan = Scan::new(text);
         let layout = Layout::new(text, &scan);
         for piece in layout.declarations() {
@@ -105,6 +106,35 @@ fn every_rule_is_exercised_by_the_corpus() {
     }
     let missing: Vec<_> = Rule::all_rules().iter().filter(|rule| !seen.contains(rule) && !is_silent(**rule)).collect();
     assert!(missing.is_empty(), "not in the corpus: {missing:?}");
+}
+
+/// The words of a text that the grammar takes for keywords, as `line:column word`, both from 1.
+fn keywords(text: &str) -> Vec<String> {
+    let joins = [Rule::prefix, Rule::infix, Rule::connective, Rule::negation, Rule::hedge];
+    let is_keyword = |rule: Rule| format!("{rule:?}").starts_with("kw_") || joins.contains(&rule);
+    let place = |byte: usize| {
+        let before = text[..byte].replace("\r\n", "\n").replace('\r', "\n");
+        let line = before.rsplit('\n').next().unwrap_or("");
+        (before.matches('\n').count() + 1, line.chars().count() + 1)
+    };
+    let mut found = BTreeSet::new();
+    for (start, pair) in super::declarations(text) {
+        let words = pair.into_inner().flatten().filter(|pair| is_keyword(pair.as_rule()));
+        let words = words.filter(|pair| pair.as_str().starts_with(char::is_alphabetic));
+        found.extend(words.map(|pair| (place(start + pair.as_span().start()), pair.as_str().to_owned())));
+    }
+    found.into_iter().map(|((line, column), word)| format!("{line}:{column} {word}")).collect()
+}
+
+#[test]
+fn editors_are_told_where_keywords_stand() {
+    let told = CORPUS.iter().flat_map(|(name, text)| [vec![(*name).to_owned()], keywords(text)].concat());
+    let told = told.collect::<Vec<_>>().join("\n");
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../../../editors");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("keywords", told));
 }
 
 #[test]
