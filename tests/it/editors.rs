@@ -89,6 +89,25 @@ fn vs_code_knows_the_words_of_the_language_and_no_others() {
     assert!(missing.is_empty() && strange.is_empty(), "missing {missing:?}, strange {strange:?}");
 }
 
+/// The words in quotes in a grammar of tree-sitter.
+fn quoted(of: &Value) -> BTreeSet<String> {
+    match of {
+        Value::Object(members) if members.get("type").is_some_and(|kind| kind == "STRING") => {
+            members["value"].as_str().map(str::to_owned).into_iter().collect()
+        }
+        Value::Object(members) => members.values().flat_map(quoted).collect(),
+        Value::Array(items) => items.iter().flat_map(quoted).collect(),
+        _ => BTreeSet::new(),
+    }
+}
+
+#[test]
+fn tree_sitter_knows_the_words_of_the_language_and_no_others() {
+    let mut words = quoted(&json("editors/tree-sitter-lmsl/src/grammar.json")["rules"]);
+    words.retain(|word| word.starts_with(char::is_alphabetic));
+    assert_eq!(words, keywords());
+}
+
 #[test]
 fn vs_code_knows_every_unit() {
     let grammar = json("editors/vscode/syntaxes/lmsl.tmLanguage.json");

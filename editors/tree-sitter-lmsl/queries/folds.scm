@@ -1,0 +1,16 @@
+[
+  (variable)
+  (network)
+  (event)
+  (output)
+  (interface)
+  (robot)
+  (body)
+  (diagram)
+  (mode)
+  (decide)
+  (arbiter)
+  (team)
+  (world)
+  (scenario)
+] @fold
