@@ -65,10 +65,10 @@ fn nothing_matched(text: &str) -> Error {
 }
 
 impl Match {
-    /// The rules of all nodes.
+    /// All nodes: their rules, and where they stand in the text that was matched.
     #[cfg(test)]
-    pub fn rules(&self) -> impl Iterator<Item = Rule> {
-        self.nodes.iter().map(|node| node.rule)
+    pub fn nodes(&self) -> impl Iterator<Item = (Rule, std::ops::Range<usize>)> {
+        self.nodes.iter().map(|node| (node.rule, node.start as usize..node.end as usize))
     }
 
     /// The node that holds all others, in the text that was matched.

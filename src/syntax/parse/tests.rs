@@ -3,9 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::grammar::{self, Rule};
-use super::layout::Layout;
 use super::pieces::{Block, DECLARATIONS};
-use super::scan::Scan;
 use super::{KEYWORDS, parse};
 use crate::base::FileId;
 use crate::diag::Diagnostic;
@@ -97,11 +95,8 @@ fn show_unit(unit: &ast::Unit) -> String {
 fn every_rule_is_exercised_by_the_corpus() {
     let mut seen = BTreeSet::from([Rule::EOI]);
     for (_, text) in CORPUS {
-        let scan = Scan::new(text);
-        let layout = Layout::new(text, &scan);
-        for piece in layout.declarations() {
-            let (start, end) = (scan.tokens[piece.start].start as usize, scan.tokens[piece.end - 1].end as usize);
-            seen.extend(grammar::run(Rule::only_declaration, &text[start..end]).unwrap().rules());
+        for (_, matched) in super::declarations(text) {
+            seen.extend(matched.nodes().map(|(rule, _)| rule));
         }
     }
     let missing: Vec<_> = Rule::all_rules().iter().filter(|rule| !seen.contains(rule) && !is_silent(**rule)).collect();
@@ -118,10 +113,11 @@ fn keywords(text: &str) -> Vec<String> {
         (before.matches('\n').count() + 1, line.chars().count() + 1)
     };
     let mut found = BTreeSet::new();
-    for (start, pair) in super::declarations(text) {
-        let words = pair.into_inner().flatten().filter(|pair| is_keyword(pair.as_rule()));
-        let words = words.filter(|pair| pair.as_str().starts_with(char::is_alphabetic));
-        found.extend(words.map(|pair| (place(start + pair.as_span().start()), pair.as_str().to_owned())));
+    for (start, matched) in super::declarations(text) {
+        let words = matched.nodes().filter(|(rule, _)| is_keyword(*rule));
+        let words = words.map(|(_, range)| (start + range.start, &text[start + range.start..start + range.end]));
+        let words = words.filter(|(_, word)| word.starts_with(char::is_alphabetic));
+        found.extend(words.map(|(at, word)| (place(at), word.to_owned())));
     }
     found.into_iter().map(|((line, column), word)| format!("{line}:{column} {word}")).collect()
 }
