@@ -167,6 +167,45 @@ pub fn maximum(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
+/// The smallest reading of a group.
+#[inline]
+pub fn smallest_reading(readings: &[f64]) -> f64 {
+    readings.iter().copied().reduce(minimum).unwrap_or(0.0)
+}
+
+/// The largest reading of a group.
+#[inline]
+pub fn largest_reading(readings: &[f64]) -> f64 {
+    readings.iter().copied().reduce(maximum).unwrap_or(0.0)
+}
+
+/// The arithmetic mean of a group; rounding does not take it beyond its readings.
+#[inline]
+pub fn mean_reading(readings: &[f64]) -> f64 {
+    let total = readings.iter().fold(0.0, |total, reading| total + reading);
+    let quotient = total / readings.len() as f64;
+    maximum(minimum(quotient, largest_reading(readings)), smallest_reading(readings))
+}
+
+/// The reading in the middle of a group, or halfway between the two in the middle.
+#[inline]
+pub fn median_reading(readings: &[f64]) -> f64 {
+    let lower = readings.len().saturating_sub(1) / 2;
+    f64::midpoint(ranked(readings, lower), ranked(readings, readings.len() / 2))
+}
+
+/// The reading that as many readings of a group are below as `rank` says.
+#[inline]
+fn ranked(readings: &[f64], rank: usize) -> f64 {
+    let is_ranked = |at: &f64| {
+        let (below, up_to) = readings.iter().fold((0_usize, 0_usize), |(below, up_to), reading| {
+            (below.wrapping_add(usize::from(reading < at)), up_to.wrapping_add(usize::from(reading <= at)))
+        });
+        below <= rank && rank < up_to
+    };
+    readings.iter().copied().find(is_ranked).unwrap_or(0.0)
+}
+
 /// The t-norm `product`.
 #[inline]
 pub fn product(a: f64, b: f64) -> f64 {

@@ -28,12 +28,25 @@ pub struct Trace {
     pub columns: Vec<Column>,
     /// The changes of mode, the entry first.
     pub changes: Vec<ModeChange>,
+    /// What became of what the clients of an arbiter proposed, whenever that changed (Sobh §5).
+    pub log: Vec<LogEntry>,
     /// What moved: the robot first, then the boxes. Their poses are columns.
     pub bodies: Vec<Footprint>,
+    /// Where range sensors met something, to the nearest 5 cm, m; each place once.
+    pub hits: Vec<[f64; 2]>,
     /// Walls that stood, as lines through corners in m.
     pub walls: Vec<Vec<[f64; 2]>>,
     /// The goal, m.
     pub goal: Option<[f64; 2]>,
+}
+
+/// A line of an arbiter's log.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LogEntry {
+    /// Nanoseconds since the first tick.
+    pub time: u64,
+    /// `Accepted GO-FRWD from 2 (wander)`
+    pub text: String,
 }
 
 /// One recorded quantity.
@@ -49,12 +62,14 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
-/// What a column records. Numbers are positions: of a sensor of the robot, an event of the plan, a named flag of the
+/// What a column records. Numbers are positions: of a sensor or a logical sensor of the robot, an event of the plan, a named flag of the
 /// plan, an entry of [`Trace::bodies`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Signal {
     /// What the sensor read, before it was made safe.
     Reading(u32),
+    /// What a logical sensor of the robot read, from readings made safe.
+    Logical(u32),
     /// The strength of what speaks for an event.
     Contributor(u32),
     /// The strength of what speaks against an event.

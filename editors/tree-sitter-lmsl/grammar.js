@@ -139,6 +139,7 @@ module.exports = grammar({
                 'robot',
                 field('name', $.identifier),
                 optional(seq('provides', list(alias($.identifier, $.type_name)))),
+                optional(seq('runs', alias($.identifier, $.type_name))),
                 block($._robot_item),
             ),
         _robot_item: ($) => choice($.body, $.sensor, $.logical, $.action),
@@ -156,7 +157,7 @@ module.exports = grammar({
                 repeat($._sensor_clause),
             ),
         _sensor_clause: ($) =>
-            choice($.fails_clause, seq('=', $.path), seq(choice('noise', 'accuracy', 'period'), $.quantity)),
+            choice($.fails_clause, seq('=', $.path), seq(choice('noise', 'accuracy', 'period', 'beam'), $.quantity)),
         logical: ($) => seq('logical', field('name', $.identifier), '=', $.expression),
         action: ($) =>
             prec.right(

@@ -7,8 +7,10 @@ use crate::ir::{Action, Call, Diagram, Platform, Program, Robot};
 pub(super) fn check(diagram: &Diagram, program: &Program, findings: &mut Vec<Diagnostic>) {
     for mode in diagram.modes.values().filter(|mode| !mode.inherited) {
         // On the tick that enters a mode, its commands of every tick follow those on entry.
-        let entering: Vec<&Call> = mode.on_enter.iter().chain(&mode.actions).collect();
-        for calls in [entering, mode.on_exit.iter().collect()] {
+        let entering = mode.on_enter.iter().chain(&mode.actions);
+        // Whatever a table chooses comes last; one row that gives a command is enough to say so.
+        let decided = mode.decision.iter().flat_map(|table| &table.rows).find_map(|row| row.commands.first());
+        for calls in [entering.chain(decided).collect::<Vec<&Call>>(), mode.on_exit.iter().collect()] {
             let mut to_body = calls.into_iter().filter(|call| moves_body(program, diagram, call.action));
             let Some(mut call) = to_body.next() else { continue };
             for later in to_body {

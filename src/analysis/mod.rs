@@ -5,9 +5,11 @@
 //! Imports: base, diag, ir, membership
 //! Crates: batsat, petgraph
 
+mod arbiters;
 mod breakpoints;
 mod commands;
 mod coverage;
+mod decisions;
 mod duplicate_terms;
 mod durations;
 mod events;
@@ -52,10 +54,17 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
         outputs::check(program, id, faults, &mut findings);
     }
     for diagram in program.diagrams.values().filter(|diagram| matters(&diagram.symbol)) {
+        if let Some(arbiter) = &diagram.arbiter {
+            if !diagram.incomplete {
+                arbiters::check(program, arbiter, &mut findings);
+            }
+            continue;
+        }
         priorities::check(diagram, &mut findings);
         exits::check(diagram, &mut findings);
         requirements::check(diagram, program, &mut findings);
         commands::check(diagram, program, &mut findings);
+        decisions::check(diagram, &mut findings);
         reachability::check(diagram, &mut findings);
         let scene = Scene::new(program, diagram);
         if scene.is_whole() {

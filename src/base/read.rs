@@ -5,6 +5,11 @@ use super::{Exact, Unit};
 /// A number in `unit` where it names none, or in another unit of the same dimension; in SI.
 pub fn read_quantity(text: &str, unit: &Unit) -> Option<Exact> {
     let text = text.trim();
+    match (unit.text.as_str(), text) {
+        ("contact", "set") => return Some(Exact::ONE),
+        ("contact", "clear") => return Some(Exact::ZERO),
+        _ => {}
+    }
     let (number, written) = text.split_at(number_length(text));
     let scale = match written.trim() {
         "" => unit.scale,

@@ -40,6 +40,11 @@ impl Unit {
         Self { text: "1".to_owned(), scale: Exact::ONE, dimension: Dimension::NONE }
     }
 
+    /// What a contact tells: 1 and 0 as `set` and `clear`.
+    pub fn contact() -> Self {
+        Self { text: "contact".to_owned(), ..Self::one() }
+    }
+
     /// A unit written as in the language, such as `cm/s^2`; `None` for one that is not.
     pub fn parse(text: &str) -> Option<Self> {
         let (mut scale, mut dimension) = (Exact::ONE, Dimension::NONE);
@@ -61,6 +66,7 @@ impl Unit {
         let rounded = (value * 1e6).round() / 1e6;
         match self.text.as_str() {
             "1" => format!("{rounded}"),
+            "contact" => if value > 0.5 { "set" } else { "clear" }.to_owned(),
             text => format!("{rounded} {text}"),
         }
     }

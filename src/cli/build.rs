@@ -146,7 +146,8 @@ impl Build {
     /// The behaviors that the files declare.
     fn diagrams(&self, analysis: &Analysis, terminal: &Terminal) -> Result<Vec<Id<Diagram>>, u8> {
         let is_asked = |diagram: &Diagram| analysis.roots.contains(&diagram.symbol.span.file);
-        let diagrams = analysis.program.diagrams.iter().filter(|(_, diagram)| is_asked(diagram));
+        let diagrams =
+            analysis.program.diagrams.iter().filter(|(_, diagram)| is_asked(diagram) && diagram.arbiter.is_none());
         let diagrams: Vec<_> = diagrams.map(|(id, _)| id).collect();
         if diagrams.is_empty() {
             return Err(terminal.fail(&format!("`{}` holds no behavior", self.files.join("`, `")), None));

@@ -74,7 +74,8 @@ impl Graph {
             return Err(exit_code(analysis));
         }
         let program = &analysis.program;
-        let own = program.diagrams.iter().filter(|(_, diagram)| is_own(analysis, &diagram.symbol));
+        let own = program.diagrams.iter();
+        let own = own.filter(|(_, diagram)| is_own(analysis, &diagram.symbol) && diagram.arbiter.is_none());
         let draw = |(id, diagram): (Id<Diagram>, &Diagram)| {
             let mut chart = Chart::new(program, &analysis.sources, id);
             if !self.failed.is_empty() {

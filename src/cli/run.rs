@@ -33,6 +33,9 @@ pub(super) struct Run {
     /// Write every tick to a file, as CSV or, where the name ends in .jsonl, as one JSON object a line
     #[arg(long, value_name = "PATH")]
     trace: Option<String>,
+    /// Write what became of the proposals of an arbiter's clients, whenever that changed
+    #[arg(long, value_name = "PATH")]
+    log: Option<String>,
     /// Draw sensors, events, modes and the robot's way as SVG
     #[arg(long, value_name = "PATH")]
     plot: Option<String>,
@@ -74,6 +77,9 @@ impl Run {
             };
             written.map_err(|error| terminal.fail(&format!("the trace cannot be written: {error}"), None))?;
             files::write(path, &bytes, terminal)?;
+        }
+        if let Some(path) = &self.log {
+            files::write(path, report::log(&run.trace).as_bytes(), terminal)?;
         }
         if let Some(path) = &self.plot {
             files::write(path, view::plot(&run.trace).as_bytes(), terminal)?;

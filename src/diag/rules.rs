@@ -127,6 +127,9 @@ rules! {
     TIMER_RESTARTED "LM0420" "timer-restarted" Warning "a time that `again` always restarts before it ends"
     OSCILLATION "LM0421" "oscillation" Info "modes that the same readings drive round and round"
     COMMAND_OVERRIDDEN "LM0422" "command-overridden" Warning "a command that another overrides on the same tick"
+    DECISION_INCOMPLETE "LM0423" "decision-incomplete" Error "a decision table without a row for some case"
+    DECISION_OVERLAP "LM0424" "decision-overlap" Error "a decision table with two rows for one case"
+    ROW_NEVER_CHOSEN "LM0425" "row-never-chosen" Warning "a row of a decision table that no reading fits"
 
     BREAKPOINTS_OUT_OF_ORDER "LM0501" "breakpoints-out-of-order" Error "corners of a membership function that do not ascend"
     TERM_OUTSIDE_RANGE "LM0502" "term-outside-range" Warning "a term that is zero over the whole range of its variable"
@@ -174,6 +177,11 @@ rules! {
     PROPERTY_UNDECIDED "LM0805" "property-undecided" Info "a property that is neither proved nor refuted"
     NEVER_FAILS "LM0806" "expectation-never-fails" Warning "an expectation that no run can miss"
     WINDOW_OUTSIDE_RUN "LM0807" "window-outside-run" Warning "a fault or an expectation in a time that no tick lies in"
+    DOOR_OFF_WALL "LM0808" "door-off-wall" Error "a door that does not lie on a wall"
+
+    TIE_WITHOUT_ORDER "LM0901" "tie-without-order" Warning "clients of one priority, and nothing that says who wins"
+    CLIENT_NEVER_WINS "LM0902" "client-never-wins" Warning "a client that another one always keeps from winning"
+    EMERGENCY_SHARES_PATH "LM0903" "emergency-shares-path" Error "an emergency whose command does not bypass the others"
 
     INTERNAL "LM9901" "internal-error" Error "a fault of the compiler itself"
 }

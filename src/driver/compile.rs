@@ -57,6 +57,7 @@ impl Analysis {
             .map(|scenario| scenario.diagram)
             .collect();
         let chosen = program.diagrams.iter().filter(|(id, diagram)| is_own(&diagram.symbol) || run.contains(id));
+        let chosen = chosen.filter(|(_, diagram)| diagram.arbiter.is_none());
         let diagrams = chosen
             .map(|(id, diagram)| Ok(plan::build_on(checked, id, self.platform(diagram, robot)?, &[])))
             .collect::<Result<Vec<_>, _>>()?;

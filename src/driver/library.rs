@@ -5,15 +5,25 @@ use crate::diag::{Diagnostic, rules};
 
 /// Every file of the standard library: its path, and its text. `std/robots/j5.msd` is imported as `std.robots.j5`.
 pub const LIBRARY: &[(&str, &str)] = &[
+    ("std/behaviors/collision_avoidance.msd", include_str!("../../stdlib/behaviors/collision_avoidance.msd")),
+    (
+        "std/behaviors/collision_avoidance_as_printed.msd",
+        include_str!("../../stdlib/behaviors/collision_avoidance_as_printed.msd"),
+    ),
+    ("std/behaviors/goal_seeking.msd", include_str!("../../stdlib/behaviors/goal_seeking.msd")),
     ("std/behaviors/obstacle_avoidance.msd", include_str!("../../stdlib/behaviors/obstacle_avoidance.msd")),
     ("std/behaviors/obstacle_manipulation.msd", include_str!("../../stdlib/behaviors/obstacle_manipulation.msd")),
+    ("std/behaviors/simple_navigation.msd", include_str!("../../stdlib/behaviors/simple_navigation.msd")),
     ("std/interfaces/mobile_base.msd", include_str!("../../stdlib/interfaces/mobile_base.msd")),
+    ("std/networks/clearances.fsfn", include_str!("../../stdlib/networks/clearances.fsfn")),
     ("std/networks/navigator.fsfn", include_str!("../../stdlib/networks/navigator.fsfn")),
     ("std/networks/navigator_as_printed.fsfn", include_str!("../../stdlib/networks/navigator_as_printed.fsfn")),
     ("std/networks/obstacle_id.fsfn", include_str!("../../stdlib/networks/obstacle_id.fsfn")),
     ("std/networks/preliminary_obstacle_id.fsfn", include_str!("../../stdlib/networks/preliminary_obstacle_id.fsfn")),
     ("std/robots/j5.msd", include_str!("../../stdlib/robots/j5.msd")),
+    ("std/robots/labmate.msd", include_str!("../../stdlib/robots/labmate.msd")),
     ("std/variables/j5.fsfn", include_str!("../../stdlib/variables/j5.fsfn")),
+    ("std/variables/labmate.fsfn", include_str!("../../stdlib/variables/labmate.fsfn")),
     ("std/variables/navigation.fsfn", include_str!("../../stdlib/variables/navigation.fsfn")),
 ];
 

@@ -128,11 +128,26 @@ impl<'w> Block<'w> {
                 Step::Lasts { .. } => quote! { #name },
                 _ => quote! { self.#name },
             },
-            (None, None) => TokenStream::new(),
+            (None, None) => return self.first_value(node),
         };
         match self.wiring.graph.code.steps[node] {
             Step::Count { .. } => Expression::whole(self.emission.counted(&place)),
             _ => Expression::whole(place),
+        }
+    }
+
+    /// What a latch or a counter of a mode is on the first tick, before any mode.
+    fn first_value(&self, node: Node) -> Expression {
+        let Some(&operand) = self.wiring.graph.operands(node).first() else {
+            return Expression::whole(TokenStream::new());
+        };
+        let now = self.value(operand);
+        match self.wiring.graph.code.steps[node] {
+            Step::Count { .. } => {
+                let now = now.tokens();
+                Expression::whole(self.emission.counted(&quote! { u32::from(#now) }))
+            }
+            _ => now,
         }
     }
 
@@ -176,8 +191,8 @@ impl<'w> Block<'w> {
         let first = operands.first().map(Expression::tokens).unwrap_or_default();
         let sensor = |input: u32| &wiring.sensors[input as usize];
         Expression::whole(match &wiring.graph.code.steps[node] {
-            Step::Read { input, .. } => {
-                let name = sensor(*input);
+            Step::Read { .. } | Step::Group { .. } => {
+                let name = wiring.reading(node);
                 quote! { inputs.#name() }
             }
             Step::Constant { value, .. } => emission.number(*value),
@@ -198,6 +213,8 @@ impl<'w> Block<'w> {
             Step::All { .. } => return expression::all(operands),
             Step::Any { .. } => return expression::any(operands),
             Step::After { duration: 0, .. } => quote! { true },
+            // The first tick, before any mode.
+            Step::After { .. } if self.mode.is_none() && !wiring.keeps_time => quote! { false },
             Step::After { duration, .. } => {
                 let (place, duration) = (self.elapsed(), layout::nanoseconds(*duration));
                 return Expression::comparison(quote! { #place >= #duration });

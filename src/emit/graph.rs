@@ -83,7 +83,9 @@ impl<'a> Graph<'a> {
             | Step::Weigh { of, .. }
             | Step::Limit { of, .. }
             | Step::Fires { of, .. } => reals.push(*of),
-            Step::Minimum { of, .. } | Step::Maximum { of, .. } => reals.extend(self.real_list(of)),
+            Step::Group { of, .. } | Step::Minimum { of, .. } | Step::Maximum { of, .. } => {
+                reals.extend(self.real_list(of));
+            }
             Step::Linear { factors, .. } => {
                 reals.extend(part(&self.code.factors, factors).iter().map(|(real, _)| *real));
             }
@@ -139,6 +141,7 @@ enum Value {
 fn result(step: &Step) -> Value {
     match *step {
         Step::Read { to, .. }
+        | Step::Group { to, .. }
         | Step::Constant { to, .. }
         | Step::Degree { to, .. }
         | Step::Complement { to, .. }

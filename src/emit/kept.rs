@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::Emission;
 use super::graph::Node;
 use super::modes::ModeParts;
 use super::names::plain;
 use super::wiring::Wiring;
+use super::{Emission, table};
 use crate::plan::Step;
 
 /// A field of the machine or of one of its states.
@@ -96,13 +96,19 @@ impl Wiring<'_> {
     pub(super) fn fields_of(&self, mode: &ModeParts, emission: Emission<'_>) -> Vec<Field> {
         let float = emission.float();
         let kept = mode.kept.iter().map(|(node, name)| self.field(*node, name));
+        let when = if mode.table.is_some() { ", or its row began to fit" } else { "" };
         let drawn = mode.drawn.iter().filter(|(real, _)| mode.drawn_for_later.contains(real)).map(|(_, name)| Field {
-            doc: "Drawn when the mode was entered.".to_owned(),
+            doc: format!("Drawn when the mode was entered{when}."),
             name: name.clone(),
             kind: quote! { #float },
             initial: None,
         });
-        mode.timer.map(elapsed).into_iter().chain(kept).chain(drawn).collect()
+        let row = mode.table.as_ref().and_then(|table| {
+            let (name, row) = (table.before.clone()?, &table.row);
+            let doc = "The row of the table that fitted on the tick before.".to_owned();
+            Some(Field { doc, name, kind: table::kind(mode.rows), initial: Some(quote! { #row }) })
+        });
+        mode.timer.map(elapsed).into_iter().chain(kept).chain(row).chain(drawn).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use quote::quote;
 use super::network::{self, Network};
 use super::wiring::{Says, Wiring};
 use super::{Emission, kernel_text, layout, lints, step};
-use crate::plan::{Action, Plan};
+use crate::plan::{Action, Grouping, Plan, Step};
 
 /// The module of a diagram.
 pub(super) fn module(
@@ -53,9 +53,21 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         let value = emission.sanitized(&quote! { self.#name }, &quote! { !self.failed.#name }, input);
         quote! { #[inline] fn #name(&self) -> #float { #value } }
     });
+    let logical = wiring.grouped.iter().filter_map(|&node| {
+        let name = wiring.reading(node)?;
+        let of = wiring.graph.operands(node).into_iter().filter_map(|member| wiring.reading(member).cloned());
+        let Step::Group { how, .. } = wiring.graph.code.steps[node] else { return None };
+        let function = match how {
+            Grouping::Minimum => quote! { smallest_reading },
+            Grouping::Maximum => quote! { largest_reading },
+            Grouping::Mean => quote! { mean_reading },
+            Grouping::Median => quote! { median_reading },
+        };
+        Some(quote! { #[inline] fn #name(&self) -> #float { kernel::#function(&[#(self.#of()),*]) } })
+    });
     let weighed = wiring.senses.iter().filter_map(|sense| {
         let (name, network) = (sense.method.as_ref()?, &sense.network.module);
-        let readings = sense.readings.iter().map(|&input| &wiring.sensors[input as usize]);
+        let readings = sense.readings.iter().filter_map(|&node| wiring.reading(node));
         let memory = sense.remembers().then(|| quote! { , memory: &mut super::#network::Memory });
         let readings = quote! { #(self.#readings()),* };
         Some(match sense.says {
@@ -71,7 +83,7 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
             }
         })
     });
-    let methods: Vec<_> = safe.chain(weighed).collect();
+    let methods: Vec<_> = safe.chain(logical).chain(weighed).collect();
     let safe = (!methods.is_empty()).then(|| {
         let methods = layout::apart(&methods);
         quote! {

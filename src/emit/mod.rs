@@ -23,6 +23,7 @@ mod outputs;
 mod places;
 mod polynomial;
 mod step;
+mod table;
 mod wiring;
 
 pub use lints::LINTS;

@@ -6,6 +6,7 @@ use proc_macro2::Ident;
 
 use super::graph::{Node, part};
 use super::names::{Scope, plain};
+use super::table::{self, Table};
 use super::wiring::Wiring;
 use crate::plan::{Mode, Real, Step};
 
@@ -21,6 +22,9 @@ pub(super) struct ModeParts {
     pub(super) drawn: BTreeMap<Real, Ident>,
     /// Those that it needs after it was entered.
     pub(super) drawn_for_later: BTreeSet<Real>,
+    /// How its decision table is named, and how many rows it has.
+    pub(super) table: Option<Table>,
+    pub(super) rows: usize,
     /// The outputs that it needs when it is entered.
     pub(super) given: BTreeMap<Node, Ident>,
 }
@@ -42,7 +46,7 @@ impl Modes<'_> {
     fn one(&mut self, mode: &Mode, wiring: &Wiring<'_>) -> ModeParts {
         let plan = wiring.plan;
         let mut locals = self.locals.clone();
-        let needed = wiring.conditions(&mode.transitions);
+        let needed = &wiring.conditions(&mode.transitions) | &wiring.decisions(mode);
         let (mut timer, mut kept) = (None, BTreeMap::new());
         for &node in needed.iter().filter(|node| !wiring.always.contains(node) && wiring.said(**node).is_none()) {
             if let Step::After { duration, .. } = wiring.graph.code.steps[node]
@@ -55,10 +59,17 @@ impl Modes<'_> {
             }
         }
         let (mut drawn, mut drawn_for_later) = (BTreeMap::new(), BTreeSet::new());
-        let draws = part(&plan.draws, &mode.draws);
+        let rows = table::rows(plan, mode);
+        let draws = std::iter::once(&mode.draws).chain(rows.iter().map(|row| &row.draws));
+        let draws: Vec<_> = draws.flat_map(|draws| part(&plan.draws, draws)).collect();
         let is_left = !mode.transitions.is_empty() || mode.otherwise.is_some();
-        for calls in [&mode.on_enter, &mode.actions, &mode.on_exit] {
-            let later = calls == &mode.actions || calls == &mode.on_exit && is_left;
+        for pick in rows.iter().filter_map(|row| row.pick) {
+            drawn.insert(pick, locals.snake("pick"));
+            drawn_for_later.insert(pick);
+        }
+        let of_rows = rows.iter().map(|row| &row.calls);
+        for calls in [&mode.on_enter, &mode.actions, &mode.on_exit].into_iter().chain(of_rows) {
+            let later = calls != &mode.on_enter && (calls != &mode.on_exit || is_left);
             for call in part(&plan.calls, calls) {
                 let arguments = part(&plan.arguments, &call.arguments).iter();
                 for (&real, name) in arguments.zip(&wiring.actions[&call.action].parameters) {
@@ -71,11 +82,19 @@ impl Modes<'_> {
                 }
             }
         }
-        let given = [&mode.on_enter, &mode.actions].map(|calls| wiring.given(calls)).into_iter().flatten();
-        let given: BTreeSet<Node> = given.collect();
-        let given = given.into_iter().map(|node| (node, locals.snake(&plain(&wiring.outputs[&node].1))));
+        let given = [&mode.on_enter, &mode.actions].into_iter().chain(rows.iter().map(|row| &row.calls));
+        let given: BTreeSet<Node> = given.flat_map(|calls| wiring.given(calls)).collect();
+        let given = given.into_iter().map(|node| (node, locals.snake(&wiring.given_name(node))));
+        let given = given.collect();
+        let table = (!rows.is_empty()).then(|| Table {
+            row: locals.snake("row"),
+            begins: locals.snake("begins"),
+            before: table::begins(plan, mode).then(|| locals.snake("row_before")),
+        });
         ModeParts {
-            given: given.collect(),
+            table,
+            rows: rows.len(),
+            given,
             variant: self.variants.camel(&mode.name),
             enter: self.enters.snake(&format!("enter_{}", mode.name)),
             timer,

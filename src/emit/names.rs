@@ -60,7 +60,7 @@ pub(super) fn plain(name: &Ident) -> String {
 fn snake(name: &str) -> String {
     let mut spelled = String::new();
     let mut before = '_';
-    for letter in name.chars() {
+    for letter in name.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }) {
         if letter.is_ascii_uppercase() && !before.is_ascii_uppercase() && before != '_' {
             spelled.push('_');
         }

@@ -112,6 +112,9 @@ pub(super) fn about(input: &Input) -> String {
     let unit = input.unit.dimension.si_unit();
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
     let Input { low, high, fail, .. } = input;
+    if input.unit.text == "contact" {
+        return format!("1 where it is set, 0 where it is clear; {fail} where it has failed.");
+    }
     format!("{low} to {high}{unit}; {fail}{unit} where it has failed.")
 }
 

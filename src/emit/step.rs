@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::block::Block;
@@ -10,6 +10,7 @@ use super::expression::{self, Expression};
 use super::graph::part;
 use super::kept::is_narrow;
 use super::modes::ModeParts;
+use super::table::Table;
 use super::wiring::Wiring;
 use super::{Emission, layout};
 use crate::plan::{Mode, Real, Step, Transition};
@@ -21,7 +22,7 @@ pub(super) fn methods(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStrea
     always.remember();
     let entry = &wiring.modes[wiring.plan.entry as usize];
     let mut first = always.branch();
-    let entered = first.enter(entry);
+    let entered = first.enter(&wiring.plan.modes[wiring.plan.entry as usize], entry);
     let first = match first.statements {
         bound if bound.is_empty() => quote! { #entered, },
         bound => quote! { { #bound #entered } },
@@ -97,7 +98,7 @@ fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
     let leave = |block: &Block<'_>, target: u32| {
         let mut block = block.branch();
         block.bind(wiring.given(&mode.on_exit));
-        let enter = block.enter(&wiring.modes[target as usize]);
+        let enter = block.enter(&plan.modes[target as usize], &wiring.modes[target as usize]);
         let calls: Vec<_> = calls(&block, &mode.on_exit, Time::Leaving).into_iter().chain([enter]).collect();
         let (statements, calls) = (block.statements, chain(&calls));
         quote! { #statements return #calls; }
@@ -120,7 +121,10 @@ fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
         block.statements.extend(quote! { if #condition { #leave } });
     }
     block.bind(wiring.given(&mode.actions));
-    let act = act(parts, &calls(&block, &mode.actions, Time::Staying));
+    let fitting = block.fit(mode, parts);
+    block.statements.extend(fitting);
+    let commands = calls(&block, &mode.actions, Time::Staying).into_iter();
+    let act = act(parts, &commands.chain(block.decide(mode, parts, Time::Deciding)).collect::<Vec<_>>());
     let statements = block.statements;
     quote! { #statements #act }
 }
@@ -132,31 +136,63 @@ impl Block<'_> {
         Self { mode, bound: self.bound.clone(), ..Block::new(emission, wiring, None) }
     }
 
-    /// The call that enters a mode, with the outputs that it needs.
-    fn enter(&mut self, parts: &ModeParts) -> TokenStream {
+    /// The call that enters a mode, with the outputs and the row that it needs.
+    fn enter(&mut self, mode: &Mode, parts: &ModeParts) -> TokenStream {
         self.bind(parts.given.keys().copied());
+        let row = parts.table.as_ref().map(|table| {
+            let (row, fitting) = (&table.row, self.fitting(mode));
+            self.statements.extend(quote! { let #row = #fitting; });
+            quote! { #row, }
+        });
         let (enter, given) = (&parts.enter, parts.given.keys().map(|&node| self.value(node).tokens()));
-        quote! { self.#enter(#(#given,)* robot) }
+        quote! { self.#enter(#row #(#given,)* robot) }
+    }
+
+    /// Statements for the row that fits while a mode lasts, and for what it draws when it begins to.
+    fn fit(&mut self, mode: &Mode, parts: &ModeParts) -> TokenStream {
+        let Some(Table { row, begins, before }) = &parts.table else { return TokenStream::new() };
+        let of_rows = super::table::rows(self.wiring.plan, mode).iter().map(|row| &row.calls);
+        self.bind(of_rows.flat_map(|calls| self.wiring.given(calls)).collect::<Vec<_>>());
+        let fitting = self.fitting(mode);
+        let draws = self.drawn_by_rows(mode, parts).into_iter().map(|(position, draws)| {
+            let draws = draws.into_iter().map(|(name, drawn)| quote! { *#name = #drawn; });
+            let position = super::table::number(position);
+            quote! { if #begins && #row == #position { #(#draws)* } }
+        });
+        let draws: Vec<_> = draws.collect();
+        let before = before.as_ref().map(|before| {
+            quote! {
+                let #begins = core::mem::replace(#before, #row) != #row;
+            }
+        });
+        quote! { let #row = #fitting; #before #(#draws)* }
     }
 }
 
 /// When commands are given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Time {
+pub(super) enum Time {
     Entering,
     Staying,
     Leaving,
+    /// By the decision table of a mode that goes on.
+    Deciding,
 }
 
 /// The calls of commands.
-fn calls(block: &Block<'_>, calls: &Range<u32>, time: Time) -> Vec<TokenStream> {
+pub(super) fn calls(block: &Block<'_>, calls: &Range<u32>, time: Time) -> Vec<TokenStream> {
     let (wiring, plan) = (block.wiring, block.wiring.plan);
     let calls = part(&plan.calls, calls).iter().map(|call| {
         let arguments = part(&plan.arguments, &call.arguments).iter();
         let arguments = arguments.map(|&real| argument(block, real, time));
         let start = plan.actions[call.action as usize].reports_done.then(|| {
-            let starts = time != Time::Staying;
-            quote! { #starts }
+            match (time, block.mode.and_then(|mode| mode.table.as_ref())) {
+                (Time::Deciding, Some(Table { begins, .. })) => quote! { #begins },
+                _ => {
+                    let starts = time != Time::Staying;
+                    quote! { #starts }
+                }
+            }
         });
         let method = &wiring.actions[&call.action].method;
         quote! { robot.#method(#(#arguments,)* #start) }
@@ -215,15 +251,29 @@ fn enters(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         });
         let block = Block::new(emission, wiring, Some(parts));
         let commands = [&mode.on_enter, &mode.actions].map(|span| calls(&block, span, Time::Entering));
-        let commands = commands.concat();
+        let commands = [commands.concat(), block.decide(mode, parts, Time::Entering).into_iter().collect()].concat();
+        let row = parts.table.as_ref().map(|table| {
+            let (row, kind) = (&table.row, super::table::kind(parts.rows));
+            quote! { #row: #kind, }
+        });
+        let drawn = block.drawn_by_rows(mode, parts).into_iter().flat_map(|(position, draws)| {
+            let row = parts.table.as_ref().map(|table| &table.row);
+            let (position, zero) = (super::table::number(position), emission.number(0.0));
+            let draw = move |(name, drawn): (Ident, TokenStream)| {
+                quote! { let #name = if #row == #position { #drawn } else { #zero }; }
+            };
+            draws.into_iter().map(draw).collect::<Vec<_>>()
+        });
+        let drawn: Vec<_> = drawn.collect();
         let robot = format_ident!("{}", if commands.is_empty() { "_robot" } else { "robot" });
         let (enter, state, act) = (&parts.enter, first_state(emission, wiring, parts), act(parts, &commands));
         let (restarts, float) = (wiring.restarts(), emission.float());
         let given = parts.given.values();
         quote! {
             #blank
-            fn #enter<R: Robot>(&mut self, #(#given: #float,)* #robot: &mut R) -> Result<Mode, R::Error> {
+            fn #enter<R: Robot>(&mut self, #row #(#given: #float,)* #robot: &mut R) -> Result<Mode, R::Error> {
                 #(#draws)*
+                #(#drawn)*
                 #restarts
                 self.state = Some(#state);
                 #act

@@ -8,7 +8,8 @@ use super::graph::{Graph, Node, part};
 use super::modes::{self, ModeParts};
 use super::names::{Scope, plain};
 use super::network::Network;
-use crate::plan::{Plan, Step};
+use super::table;
+use crate::plan::{Mode, Plan, Step};
 
 /// A diagram taken apart: what it computes on every tick because it must be remembered, and what each mode computes
 /// when it is active.
@@ -17,8 +18,12 @@ pub(super) struct Wiring<'a> {
     pub(super) graph: Graph<'a>,
     /// The fields of all sensors.
     pub(super) sensors: Vec<Ident>,
+    /// The fields of all logical sensors.
+    pub(super) logical: BTreeMap<Node, Ident>,
     /// The sensors whose readings matter.
     pub(super) read: BTreeSet<u32>,
+    /// The logical sensors whose readings matter.
+    pub(super) grouped: BTreeSet<Node>,
     /// The sensors whose health matters.
     pub(super) watched: BTreeSet<u32>,
     pub(super) uses_done: bool,
@@ -59,8 +64,8 @@ pub(super) struct Sensed<'a> {
     pub(super) says: Says,
     /// The field of what the network remembers.
     pub(super) memory: Ident,
-    /// The sensors that feed it.
-    pub(super) readings: Vec<u32>,
+    /// What reads the sensors that feed it.
+    pub(super) readings: Vec<Node>,
     /// The method of the readings that tells it; `None` where nothing of it matters.
     pub(super) method: Option<Ident>,
 }
@@ -97,7 +102,9 @@ impl<'a> Wiring<'a> {
             outputs: BTreeMap::new(),
             names: HashMap::new(),
             texts: HashMap::new(),
+            logical: BTreeMap::new(),
             read: BTreeSet::new(),
+            grouped: BTreeSet::new(),
             watched: plan.required.iter().copied().collect(),
             uses_done: false,
             draws: !plan.draws.is_empty(),
@@ -110,14 +117,12 @@ impl<'a> Wiring<'a> {
             graph: Graph::new(&plan.code),
             plan,
         };
+        for logical in &plan.logical {
+            wiring.logical.extend(graph.real(logical.value).map(|node| (node, fields.snake(&logical.name))));
+        }
         for sense in &plan.senses {
             let Some(network) = networks.get(&sense.network) else { continue };
             let readings: Vec<_> = sense.readings.iter().filter_map(|&real| graph.real(real)).collect();
-            let sensors = readings.iter().filter_map(|&node| match plan.code.steps[node] {
-                Step::Read { input, .. } => Some(input),
-                _ => None,
-            });
-            let sensors: Vec<_> = sensors.collect();
             let memory = locals.snake(&sense.name);
             let mut name = Some(memory.clone());
             if network.has_events() {
@@ -127,7 +132,8 @@ impl<'a> Wiring<'a> {
                         wiring.events.insert(node, (wiring.senses.len(), name.clone()));
                     }
                 }
-                let (name, memory, readings) = (name.take().unwrap_or(memory.clone()), memory.clone(), sensors.clone());
+                let (name, memory, readings) =
+                    (name.take().unwrap_or(memory.clone()), memory.clone(), readings.clone());
                 let says = Says::Events;
                 wiring.senses.push(Sensed { name, network, says, memory, readings, method: None });
             }
@@ -140,7 +146,7 @@ impl<'a> Wiring<'a> {
                 }
                 let name = name.unwrap_or_else(|| locals.snake(&format!("{}_outputs", sense.name)));
                 let says = Says::Outputs;
-                wiring.senses.push(Sensed { name, network, says, memory, readings: sensors, method: None });
+                wiring.senses.push(Sensed { name, network, says, memory, readings, method: None });
             }
         }
         wiring.graph = graph;
@@ -159,11 +165,28 @@ impl<'a> Wiring<'a> {
         wiring
     }
 
+    /// The method of the inputs that reads a sensor, logical or not.
+    pub(super) fn reading(&self, node: Node) -> Option<&Ident> {
+        match self.graph.code.steps[node] {
+            Step::Read { input, .. } => self.sensors.get(input as usize),
+            _ => self.logical.get(&node),
+        }
+    }
+
     /// What the conditions of some transitions need.
     pub(super) fn conditions(&self, transitions: &std::ops::Range<u32>) -> BTreeSet<Node> {
         let transitions = part(&self.plan.transitions, transitions).iter();
         let conditions = transitions.filter_map(|way| self.graph.bool(way.condition));
         self.graph.needed(conditions, &BTreeSet::new())
+    }
+
+    /// What the decision tables need that are looked at in a mode: its own, and those of the modes it leads to, whose
+    /// conditions are those of the tick that leaves it.
+    pub(super) fn decisions(&self, mode: &Mode) -> BTreeSet<Node> {
+        let targets = part(&self.plan.transitions, &mode.transitions).iter().map(|way| way.target);
+        let targets = targets.chain(mode.otherwise).map(|target| &self.plan.modes[target as usize]);
+        let tables = targets.chain([mode]).flat_map(|mode| table::conditions(self, mode));
+        self.graph.needed(tables, &BTreeSet::new())
     }
 
     fn live(&self) -> BTreeSet<Node> {
@@ -175,7 +198,10 @@ impl<'a> Wiring<'a> {
             [Some(&mode.actions), entering, is_left.then_some(&mode.on_exit)].into_iter().flatten()
         });
         let given: BTreeSet<Node> = commands.flat_map(|calls| self.given(calls)).collect();
-        conditions.union(&self.graph.needed(given, &BTreeSet::new())).copied().collect()
+        let rows = self.plan.modes.iter().flat_map(|mode| table::rows(self.plan, mode));
+        let decided = rows.flat_map(|row| self.given(&row.calls).into_iter().chain(self.graph.bool(row.condition)));
+        let others = self.graph.needed(given.into_iter().chain(decided), &BTreeSet::new());
+        conditions.union(&others).copied().collect()
     }
 
     /// The modes that something leads to.
@@ -184,12 +210,19 @@ impl<'a> Wiring<'a> {
         targets.chain(self.plan.modes.iter().filter_map(|mode| mode.otherwise)).chain([self.plan.entry]).collect()
     }
 
-    /// The outputs that some commands are given.
+    /// The outputs and readings that some commands are given.
     pub(super) fn given(&self, calls: &std::ops::Range<u32>) -> BTreeSet<Node> {
         let arguments =
             part(&self.plan.calls, calls).iter().flat_map(|call| part(&self.plan.arguments, &call.arguments));
         let nodes = arguments.filter_map(|&real| self.graph.real(real));
-        nodes.filter(|node| self.outputs.contains_key(node)).collect()
+        let is_given = |node: &Node| self.outputs.contains_key(node) || self.reading(*node).is_some();
+        nodes.filter(is_given).collect()
+    }
+
+    /// What an output or a reading that a command is given is called.
+    pub(super) fn given_name(&self, node: Node) -> String {
+        let name = self.outputs.get(&node).map(|(_, name)| name).or_else(|| self.reading(node));
+        name.map(plain).unwrap_or_default()
     }
 
     /// What a step is said by, if by a network: its sense, and its name there.
@@ -208,6 +241,9 @@ impl<'a> Wiring<'a> {
                 }
                 Step::Failed { input, .. } => {
                     self.watched.insert(input);
+                }
+                Step::Group { .. } => {
+                    self.grouped.insert(node);
                 }
                 Step::Done { .. } => self.uses_done = true,
                 Step::InMode { .. } => {

@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use super::arbiter::{Clients, Proposal};
 use super::memory::{Memory, Told};
 use crate::kernel;
-use crate::plan::{Plan, Transition};
+use crate::plan::{Arbiter, Plan, Row, Transition};
 
 /// What a sensor says on one tick.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +41,8 @@ pub enum Taken {
     Entered,
     /// It took a transition, a position in [`Plan::transitions`].
     Transition(u32),
+    /// The robot was handed to another client, or to an emergency, or to nobody.
+    Handed,
     /// It left a mode whose required input had failed.
     Lost {
         /// The mode that was left.
@@ -68,8 +71,12 @@ pub struct Machine<'p> {
     memory: Memory<1>,
     mode: u32,
     entered: bool,
+    /// The row of the mode's decision table that fitted on the tick before.
+    row: Option<u32>,
     random: u64,
     arguments: Vec<f64>,
+    /// The clients of an arbiter; none of anything else.
+    clients: Clients<'p>,
 }
 
 impl<'p> Machine<'p> {
@@ -79,7 +86,9 @@ impl<'p> Machine<'p> {
         let nothing = Told { read: |_, _| None, rows: 1, done: false, dt: 0, active: plan.entry };
         memory.run(&plan.code, plan.constants.clone(), &plan.inputs, &nothing);
         let longest = plan.calls.iter().map(|call| call.arguments.len()).max().unwrap_or(0);
-        Self { plan, memory, mode: plan.entry, entered: false, random: seed, arguments: Vec::with_capacity(longest) }
+        let arguments = Vec::with_capacity(longest);
+        let clients = Clients::new(plan, seed);
+        Self { plan, memory, mode: plan.entry, entered: false, row: None, random: seed, arguments, clients }
     }
 
     /// The active mode, a position in [`Plan::modes`].
@@ -109,9 +118,14 @@ impl<'p> Machine<'p> {
             self.memory.dwell = self.memory.dwell.saturating_add(dt);
         }
         self.run(plan.fuse.clone(), inputs, dt);
+        if let Some(arbiter) = &plan.arbiter {
+            let taken = self.arbitrate(arbiter, inputs, dt, actuators);
+            self.run(plan.watch.clone(), inputs, dt);
+            return taken;
+        }
         let taken = if self.entered { self.select(inputs, dt) } else { Taken::Entered };
         let target = match taken {
-            Taken::Stayed => None,
+            Taken::Stayed | Taken::Handed => None,
             Taken::Entered => Some(plan.entry),
             Taken::Transition(index) => plan.transitions.get(index as usize).map(|transition| transition.target),
             Taken::Lost { .. } => self.current().otherwise,
@@ -124,8 +138,64 @@ impl<'p> Machine<'p> {
             self.call(self.current().on_enter.clone(), true, actuators);
         }
         self.call(self.current().actions.clone(), target.is_some(), actuators);
+        self.decide(inputs, dt, actuators);
         self.run(plan.watch.clone(), inputs, dt);
         taken
+    }
+
+    /// What the clients of an arbiter proposed on the last tick, and what became of it; none of anything else.
+    pub fn proposals(&self) -> &[Proposal] {
+        &self.clients.proposals
+    }
+
+    /// The machine of a client, by its position.
+    pub fn client(&self, position: usize) -> Option<&Self> {
+        self.clients.machines.get(position)
+    }
+
+    /// Lets every client propose, and one of them or an emergency command the robot.
+    fn arbitrate(
+        &mut self,
+        arbiter: &'p Arbiter,
+        inputs: Inputs<'_>,
+        dt: u64,
+        actuators: &mut impl Actuators,
+    ) -> Taken {
+        self.clients.propose(arbiter, inputs, dt);
+        let priorities = arbiter.clients.iter().map(|client| {
+            let holds =
+                |(_, when): &&(u32, Option<crate::plan::Bool>)| when.is_none_or(|when| self.memory.bools(when)[0]);
+            client.priorities.iter().find(holds).map(|(level, _)| *level)
+        });
+        let winner = self.clients.choose(priorities, arbiter.ties, &mut self.random);
+        let emergency = arbiter.emergencies.iter().find(|emergency| self.memory.bools(emergency.condition)[0]);
+        let (before, had) = (self.mode, self.entered);
+        self.mode = match (emergency, winner) {
+            (Some(_), _) => Arbiter::EMERGENCY,
+            (None, Some(winner)) => Arbiter::OTHERS + winner as u32,
+            (None, None) => Arbiter::NOBODY,
+        };
+        let changed = !had || before != self.mode;
+        if changed {
+            self.entered = true;
+            self.memory.enter_mode();
+        }
+        self.clients.settle(emergency.is_none().then_some(winner).flatten());
+        match emergency {
+            Some(emergency) => self.call(emergency.call..emergency.call + 1, changed, actuators),
+            None => {
+                if let Some(Proposal { action: Some(action), arguments, start, .. }) =
+                    winner.and_then(|winner| self.clients.proposals.get(winner))
+                {
+                    actuators.command(*action, arguments, *start || changed);
+                }
+            }
+        }
+        match (had, changed) {
+            (false, _) => Taken::Entered,
+            (true, true) => Taken::Handed,
+            (true, false) => Taken::Stayed,
+        }
     }
 
     /// Where it is, for a next tick `dt` nanoseconds later. Two machines of one plan in one phase do the same on it.
@@ -189,10 +259,40 @@ impl<'p> Machine<'p> {
     fn enter(&mut self, mode: u32) {
         self.mode = mode;
         self.entered = true;
+        self.row = None;
         self.memory.enter_mode();
-        for draw in &self.plan.draws[range(&self.current().draws)] {
+        self.draw(&self.current().draws);
+    }
+
+    fn draw(&mut self, draws: &Range<u32>) {
+        for draw in &self.plan.draws[range(draws)] {
             let drawn = kernel::draw(&mut self.random, draw.low, draw.high);
             self.memory.set_reals(draw.to, |_, _| drawn);
+        }
+    }
+
+    /// Gives the command of the row of the mode's decision table that fits.
+    fn decide(&mut self, inputs: Inputs<'_>, dt: u64, actuators: &mut impl Actuators) {
+        let plan = self.plan;
+        for index in self.current().rows.clone() {
+            let Row { steps, condition, calls, pick, draws, .. } = &plan.rows[index as usize];
+            self.run(steps.clone(), inputs, dt);
+            if !self.memory.bools(*condition)[0] {
+                continue;
+            }
+            let begins = self.row != Some(index);
+            if begins {
+                self.row = Some(index);
+                self.draw(draws);
+            }
+            let calls = match pick {
+                None => calls.clone(),
+                Some(pick) => {
+                    let picked = (calls.start + self.memory.reals(*pick)[0] as u32).min(calls.end - 1);
+                    picked..picked + 1
+                }
+            };
+            return self.call(calls, begins, actuators);
         }
     }
 

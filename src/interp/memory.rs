@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use super::Reading;
 use crate::kernel::{self, Stopwatch};
-use crate::plan::{Aggregation, Bool, Code, Comparison, Find, Implication, Input, Real, SNorm, Shape, Step, TNorm};
+use crate::plan::{
+    Aggregation, Bool, Code, Comparison, Find, Grouping, Implication, Input, Real, SNorm, Shape, Step, TNorm,
+};
 
 /// What is known of `ROWS` ticks that follow each other; of one where a machine runs.
 #[derive(Debug, Clone)]
@@ -16,7 +18,7 @@ pub(super) struct Memory<const ROWS: usize> {
     counters: Vec<u32>,
     latches: Vec<bool>,
     kept: Vec<f64>,
-    /// The strengths of the sets that are being defuzzified.
+    /// The strengths of the sets that are being defuzzified, or the readings that are being grouped.
     strengths: Vec<f64>,
     /// Nanoseconds since the active mode was entered.
     pub(super) dwell: u64,
@@ -121,6 +123,7 @@ impl<const ROWS: usize> Memory<ROWS> {
                         None => fail,
                     });
                 }
+                Step::Group { how, ref of, to } => self.group(how, &code.real_lists[range(of)], to),
                 Step::Constant { value, to } => self.set_reals(to, |_, _| value),
                 Step::Degree { of, ref shape, to } => {
                     self.reals[to as usize] = degrees(*self.reals(of), shape, &code.points);
@@ -245,6 +248,23 @@ impl<const ROWS: usize> Memory<ROWS> {
             }
         }
         self.reals[to as usize] = values;
+    }
+
+    /// One reading from several, in every row.
+    fn group(&mut self, how: Grouping, list: &[Real], to: Real) {
+        let group = match how {
+            Grouping::Minimum => kernel::smallest_reading,
+            Grouping::Maximum => kernel::largest_reading,
+            Grouping::Mean => kernel::mean_reading,
+            Grouping::Median => kernel::median_reading,
+        };
+        let mut readings = std::mem::take(&mut self.strengths);
+        for row in 0..ROWS {
+            readings.clear();
+            readings.extend(list.iter().map(|&real| self.real(real, row)));
+            self.reals[to as usize][row] = group(&readings);
+        }
+        self.strengths = readings;
     }
 
     /// A number from sets or numbers, each with a strength.

@@ -40,6 +40,8 @@ pub struct Diagram {
     pub modes: Arena<Mode>,
     /// The mode it starts in; `None` where that was reported missing.
     pub entry: Option<Id<Mode>>,
+    /// What chooses among clients, if it is an arbiter: its modes are then who has the robot.
+    pub arbiter: Option<Arbiter>,
     /// Whether something in it or in one of its modes was broken, reported and left out.
     pub incomplete: bool,
 }
@@ -77,6 +79,8 @@ pub struct Mode {
     pub otherwise: Option<Id<Mode>>,
     /// Commands given on every tick.
     pub actions: Vec<Call>,
+    /// The table that chooses a command on every tick, if it has one.
+    pub decision: Option<Decision>,
     /// Commands given once when it is entered.
     pub on_enter: Vec<Call>,
     /// Commands given once when it is left.
@@ -87,6 +91,105 @@ pub struct Mode {
     pub incomplete: bool,
     /// Whether it was taken over from a diagram that this one extends, and is judged there.
     pub inherited: bool,
+}
+
+/// A priority multiplexer (Sobh §3.2, §3.3). The modes of its diagram are [`Arbiter::NOBODY`], [`Arbiter::EMERGENCY`],
+/// and its clients in order.
+#[derive(Debug, Clone)]
+pub struct Arbiter {
+    /// What bypasses the clients, in order.
+    pub emergencies: Vec<Emergency>,
+    /// Who proposes commands, in order.
+    pub clients: Vec<Client>,
+    /// Who wins of clients with one priority; `None` where nothing was said, then the first.
+    pub ties: Option<Ties>,
+}
+
+impl Arbiter {
+    /// The mode in which no command is given.
+    pub const NOBODY: Id<Mode> = Id::new(0);
+    /// The mode in which an emergency has the robot.
+    pub const EMERGENCY: Id<Mode> = Id::new(1);
+    /// How many modes stand before those of the clients.
+    pub const OTHERS: u32 = 2;
+}
+
+/// A command that goes straight to the body.
+#[derive(Debug, Clone)]
+pub struct Emergency {
+    /// When.
+    pub condition: Id<Expr>,
+    /// What.
+    pub command: Call,
+    /// The whole line.
+    pub span: Span,
+}
+
+/// A client of an arbiter.
+#[derive(Debug, Clone)]
+pub struct Client {
+    /// Its name.
+    pub symbol: Symbol,
+    /// What it runs.
+    pub diagram: Id<Diagram>,
+    /// Its priorities, 1 to 10, 1 the highest: the first whose condition holds, or that has none.
+    pub priorities: Vec<(u32, Option<Id<Expr>>)>,
+    /// The whole line.
+    pub span: Span,
+}
+
+/// Who wins of clients with one priority.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ties {
+    /// The first in the text.
+    InOrder,
+    /// One of them by chance.
+    Random,
+}
+
+/// A decision table (Sobh §4, Table 1): on every tick the command of the one row that fits.
+#[derive(Debug, Clone)]
+pub struct Decision {
+    /// What it looks at.
+    pub columns: Vec<Column>,
+    /// Its rows in order.
+    pub rows: Vec<DecisionRow>,
+    /// What it looks at, where that stands.
+    pub span: Span,
+}
+
+/// Something a decision table looks at; it has one of some values on every tick.
+#[derive(Debug, Clone)]
+pub struct Column {
+    /// As written.
+    pub text: String,
+    /// The names of its values: terms, or `set` and `clear`.
+    pub values: Vec<String>,
+    /// Whether some reading gives it each of these.
+    pub possible: Vec<bool>,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A row of a decision table.
+#[derive(Debug, Clone)]
+pub struct DecisionRow {
+    /// For each column the positions of the values that fit, ascending.
+    pub cells: Vec<Vec<u32>>,
+    /// Whether all columns fit.
+    pub condition: Id<Expr>,
+    /// Its command, one of several by chance, or none.
+    pub commands: Vec<Call>,
+    /// Where its cells stand.
+    pub span: Span,
+}
+
+impl Mode {
+    /// Every command it can give.
+    pub fn commands(&self) -> impl Iterator<Item = &Call> {
+        let decided = self.decision.iter().flat_map(|table| &table.rows).flat_map(|row| &row.commands);
+        self.on_enter.iter().chain(&self.actions).chain(decided).chain(&self.on_exit)
+    }
 }
 
 /// A way out of a mode.
@@ -136,4 +239,6 @@ pub enum Argument {
         /// The position of the output in its network.
         output: u32,
     },
+    /// What a sensor reads.
+    Reading(Id<Sensor>),
 }

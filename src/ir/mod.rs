@@ -10,7 +10,10 @@ mod output;
 mod robot;
 mod trial;
 
-pub use diagram::{Argument, Call, Diagram, Flag, Layer, Mode, Platform, Sense, Transition};
+pub use diagram::{
+    Arbiter, Argument, Call, Client, Column, Decision, DecisionRow, Diagram, Emergency, Flag, Layer, Mode, Platform,
+    Sense, Ties, Transition,
+};
 pub use expr::{Comparison, Expr, Op, Type};
 pub use fusion::{Clause, Event, FailReading, Literal, Network, NetworkInput, Part, Rule, Shape, Term, Variable};
 pub use output::{
@@ -18,8 +21,8 @@ pub use output::{
     Output, OutputRule, Rest, S_NORMS, SNorm, Statement, T_NORMS, TNorm,
 };
 pub use robot::{
-    Action, Body, BodyArgument, BodyCommand, BodyCommandKind, DifferentialDrive, Interface, Parameter, Robot, Sensor,
-    SensorSource,
+    Action, Body, BodyArgument, BodyCommand, BodyCommandKind, DifferentialDrive, Drive, Group, Grouping, Interface,
+    Parameter, Robot, Sensor, SensorSource,
 };
 pub use trial::{
     BoxBody, Claim, Expectation, ExpectationKind, Fault, FaultReading, Placement, Property, Response, Scenario, Wall,
@@ -56,8 +59,16 @@ pub struct Program {
 }
 
 impl Program {
-    /// The sensors that a diagram on a robot or an interface can look at.
-    pub fn sensors_of(&self, platform: Platform) -> &[Id<Sensor>] {
+    /// The sensors that a diagram on a robot or an interface can look at, logical ones last.
+    pub fn sensors_of(&self, platform: Platform) -> Vec<Id<Sensor>> {
+        match platform {
+            Platform::Robot(robot) => self.robots[robot].all_sensors(),
+            Platform::Interface(_) => self.measuring(platform).to_vec(),
+        }
+    }
+
+    /// The same without logical ones.
+    pub fn measuring(&self, platform: Platform) -> &[Id<Sensor>] {
         match platform {
             Platform::Robot(robot) => &self.robots[robot].sensors,
             Platform::Interface(interface) => &self.interfaces[interface].sensors,

@@ -23,10 +23,47 @@ pub struct Robot {
     pub provides: Vec<Id<Interface>>,
     /// Its body; a robot without one can be compiled for but not simulated.
     pub body: Option<Body>,
-    /// Its sensors in order.
+    /// Its sensors in order, those of an array one by one.
     pub sensors: Vec<Id<Sensor>>,
+    /// Its logical sensors in order.
+    pub logical: Vec<Id<Sensor>>,
     /// Its actions in order.
     pub actions: Vec<Id<Action>>,
+    /// What carries out the actions that are neither its body's nor others of its own.
+    pub drive: Option<Drive>,
+}
+
+/// A behavior of the robot itself, which carries out its commands (Sobh §4, fig. 6). It runs beneath whatever else
+/// commands the robot, and sees on every tick what it is told.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Drive {
+    /// The behavior; `None` where it was broken.
+    pub diagram: Option<Id<super::Diagram>>,
+    /// The names of its modes: the states of the robot, in the numbers of its sensor `state`.
+    pub states: Vec<String>,
+    /// The names of the parameters of its commands, each once, as its sensors `command.name` tell them.
+    pub parameters: Vec<String>,
+}
+
+impl Action {
+    /// Whether it is for the robot's drive to carry out, if the robot has one.
+    pub fn is_driven(&self) -> bool {
+        self.command.is_none() && self.same_as.is_none()
+    }
+}
+
+impl Sensor {
+    /// Whether it tells of the machine itself, so that it cannot fail.
+    pub fn is_inner(&self) -> bool {
+        self.source.is_some_and(SensorSource::is_inner)
+    }
+}
+
+impl Robot {
+    /// Its sensors, logical ones last.
+    pub fn all_sensors(&self) -> Vec<Id<Sensor>> {
+        [self.sensors.as_slice(), &self.logical].concat()
+    }
 }
 
 /// A body the simulator knows.
@@ -59,15 +96,19 @@ pub struct DifferentialDrive {
     pub tracking_noise: f64,
 }
 
-/// A sensor of a robot or an interface.
+/// A sensor of a robot or an interface, or a logical one, which follows from others.
 #[derive(Debug, Clone)]
 pub struct Sensor {
-    /// Its name.
+    /// Its name; that of an array and an index in brackets for an element.
     pub symbol: Symbol,
     /// Whether the robot can do without it.
     pub optional: bool,
     /// The unit of its numbers as written.
     pub unit: Unit,
+    /// Whether it tells touch from no touch, as 1 and 0, and nothing else.
+    pub is_contact: bool,
+    /// What it follows from; `None` for one that measures.
+    pub group: Option<Group>,
     /// The readings it can give, in SI: lower end, upper end.
     pub range: (Exact, Exact),
     /// How it fails, the likeliest way first.
@@ -80,6 +121,30 @@ pub struct Sensor {
     pub accuracy: f64,
     /// Nanoseconds between readings; 0 for a reading every tick.
     pub period: u64,
+    /// rad across the beam of a range sensor; 0 for a line.
+    pub beam: f64,
+}
+
+/// Several sensors as one (Sobh §3.2).
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Group {
+    /// How one reading follows from theirs.
+    pub how: Grouping,
+    /// Sensors that measure, each once.
+    pub of: Vec<Id<Sensor>>,
+}
+
+/// How one reading follows from several.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Grouping {
+    /// The smallest; of contacts, whether all are touched.
+    Minimum,
+    /// The largest; of contacts, whether any is touched.
+    Maximum,
+    /// The arithmetic mean.
+    Mean,
+    /// The one in the middle, or halfway between the two in the middle.
+    Median,
 }
 
 /// The places where a body can be measured.
@@ -95,6 +160,45 @@ pub enum SensorSource {
     RightWheelSpeed,
     /// `wedge.force`, N.
     WedgeForce,
+    /// `ring.range`, m from the hull to the nearest thing within a beam. The beams of a ring stand evenly around the
+    /// robot, counted to the left from just left of its heading; a single one looks ahead.
+    Range {
+        /// Which beam, from 0.
+        beam: u32,
+        /// Of how many.
+        of: u32,
+    },
+    /// `bumper.front`, a contact: something touches the front half of the hull.
+    FrontBumper,
+    /// `bumper.back`, a contact: something touches the back half of the hull.
+    BackBumper,
+    /// `pose.x`, m.
+    X,
+    /// `pose.y`, m.
+    Y,
+    /// `pose.heading`, rad from -π to π, to the left of the x axis.
+    Heading,
+    /// `goal.distance`, m from the middle of the robot to the world's goal.
+    GoalDistance,
+    /// `goal.bearing`, rad from -π to π, to the left of the robot's heading.
+    GoalBearing,
+    /// Of a client: whether its command was executed on the tick before.
+    Won,
+    /// Of a client: whether another's command was executed instead of its own on the tick before.
+    Lost,
+    /// The mode of the robot's drive on the tick before, by its number.
+    State,
+    /// The command that the robot is carrying out, by its number among the robot's actions from 1 on; 0 for none.
+    Command,
+    /// An argument of that command, by its number in [`Drive::parameters`]; 0 where it has none of that name.
+    Argument(u32),
+}
+
+impl SensorSource {
+    /// Whether it tells of the machine itself, so that nothing can fail.
+    pub const fn is_inner(self) -> bool {
+        matches!(self, Self::Won | Self::Lost | Self::State | Self::Command | Self::Argument(_))
+    }
 }
 
 /// An action of a robot or an interface.
@@ -108,6 +212,8 @@ pub struct Action {
     pub reports_done: bool,
     /// How the body keeps it.
     pub command: Option<BodyCommand>,
+    /// The action of the same robot that keeps it, with its arguments.
+    pub same_as: Option<(Id<Action>, Vec<BodyArgument>)>,
 }
 
 /// A parameter of an action.
@@ -139,6 +245,9 @@ pub enum BodyCommandKind {
     Arc,
     /// `body.rotate(angle rad)`, to the left for a positive angle; reports completion
     Rotate,
+    /// `body.travel(distance m, speed m/s)`, backward for a negative speed; reports completion, but goes on and on for a
+    /// distance of 0
+    Travel,
 }
 
 /// An argument of a body's command.
@@ -146,6 +255,8 @@ pub enum BodyCommandKind {
 pub enum BodyArgument {
     /// The action's parameter at that position.
     Parameter(u32),
+    /// The same with the other sign.
+    Negated(u32),
     /// A number in SI.
     Constant(f64),
 }

@@ -90,6 +90,7 @@ impl Here<'_> {
         }
         match (place.back(0), block) {
             ("", _) | (_, "") if line.is_empty() => self.outermost(),
+            ("=>", "decide") => [self.actions(block), words(&["either", "nothing"])].concat(),
             ("->", "robot" | "interface") => words(&["done"]),
             ("->", _) => [self.modes(), words(&["again"])].concat(),
             ("else" | "entry", _) => self.modes(),
@@ -219,8 +220,8 @@ impl Here<'_> {
 
     fn sensors(&self) -> Vec<CompletionItem> {
         let Some(id) = self.diagram() else { return Vec::new() };
-        let sensors = self.program.sensors_of(self.program.diagrams[id].platform).iter();
-        let sensors = sensors.map(|&id| &self.program.sensors[id]);
+        let sensors = self.program.sensors_of(self.program.diagrams[id].platform).into_iter();
+        let sensors = sensors.map(|id| &self.program.sensors[id]);
         sensors.map(|sensor| detailed(named(&sensor.symbol, CompletionItemKind::FIELD), &sensor.unit.text)).collect()
     }
 
@@ -271,6 +272,10 @@ impl Here<'_> {
         let behind_colon = self.place.back(0) == ":";
         match (first, list.head, block) {
             (_, "failed", _) => self.sensors(),
+            (_, "decide", "mode") => [self.conditions(), self.sensed()].concat(),
+            (_, "either", "decide") => self.actions(block),
+            // The row before may end in a word.
+            (_, "" | "nothing", "decide") => self.decided(&self.place.column(list.position)),
             (_, head, _) if sema::FUNCTIONS.iter().any(|(name, _)| *name == head) => self.conditions(),
             (_, "contributor" | "detractor" | "", "event") => self.cell(list.position),
             (_, "over", "network" | "event") => self.inputs(),
@@ -283,11 +288,34 @@ impl Here<'_> {
             ("network", _, _) if behind_colon => self.variables(),
             (_, _, "robot" | "interface") if behind_colon => units(),
             (_, "" | "and" | "or" | "not", "mode") => self.conditions(),
-            (_, head, "mode" | "enter" | "exit") if !behind_colon => self.parameters(head),
+            (_, head, "mode" | "enter" | "exit" | "decide") if !behind_colon => self.parameters(head),
             (_, _, "mode") => words(&["random"]),
             (_, _, "variable" | "network") => Vec::new(),
             _ if first != "variable" => self.conditions(),
             _ => Vec::new(),
+        }
+    }
+
+    /// The inputs of the networks that a behavior senses.
+    fn sensed(&self) -> Vec<CompletionItem> {
+        let Some(id) = self.diagram() else { return Vec::new() };
+        let senses = self.program.diagrams[id].senses.iter();
+        let inputs = senses.flat_map(|sense| &self.program.networks[sense.network].inputs);
+        inputs.map(|input| named(&input.symbol, CompletionItemKind::PROPERTY)).collect()
+    }
+
+    /// What a cell can be in a column of a decision table: terms of what feeds a network, else `set` and `clear`.
+    fn decided(&self, column: &[&str]) -> Vec<CompletionItem> {
+        let (Some(id), any) = (self.diagram(), words(&["_"])) else { return Vec::new() };
+        let ([name] | [_, ".", name]) = column else { return [words(&["clear", "set"]), any].concat() };
+        let fed = self.program.diagrams[id].senses.iter().flat_map(|sense| {
+            let inputs = self.program.networks[sense.network].inputs.iter();
+            inputs.zip(sense.inputs.iter().map(|&sensor| &self.program.sensors[sensor].symbol.name))
+        });
+        let mut meant = fed.filter(|(input, sensor)| input.symbol.name == **name || *sensor == name);
+        match meant.next() {
+            Some((input, _)) => terms(&self.program.variables[input.variable].terms).chain(any).collect(),
+            None => [words(&["clear", "set"]), any].concat(),
         }
     }
 

@@ -76,6 +76,11 @@ fn of_entity(known: &Known, entity: Entity) -> String {
         }
         Entity::Sensor(id) => {
             let sensor = &program.sensors[id];
+            if let Some(group) = &sensor.group {
+                let of = group.of.iter().map(|&id| format!("`{}`", program.sensors[id].symbol.name));
+                let how = format!("{:?}", group.how).to_lowercase();
+                page.text(format!("{how} of {}", of.collect::<Vec<_>>().join(", ")));
+            }
             page.text(in_si(sensor.range, &sensor.unit));
             page.text(if sensor.optional { "A robot can do without it." } else { "" });
         }

@@ -206,6 +206,22 @@ impl<'t> Place<'t> {
         None
     }
 
+    /// The words of a column of the decision table in whose rows the place lies.
+    pub(super) fn column(&self, position: usize) -> Vec<&'t str> {
+        let Some(table) = self.before.iter().rposition(|token| self.word(token) == "decide") else { return Vec::new() };
+        let (mut depth, mut columns) = (0_usize, vec![Vec::new()]);
+        for token in self.before.get(table + 1..).unwrap_or_default() {
+            match token.kind {
+                TokenKind::Open => depth += 1,
+                TokenKind::Close if depth == 1 => break,
+                TokenKind::Close => depth -= 1,
+                TokenKind::Mark if depth == 1 && self.word(token) == "," => columns.push(Vec::new()),
+                _ => columns.last_mut().into_iter().for_each(|column| column.push(self.word(token))),
+            }
+        }
+        columns.into_iter().nth(position).unwrap_or_default()
+    }
+
     /// The innermost list in parentheses in which the place lies.
     pub(super) fn list(&self) -> Option<List<'t>> {
         let (opening, position) = self.opening()?;

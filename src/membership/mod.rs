@@ -5,11 +5,13 @@
 
 mod curve;
 mod function;
+mod highest;
 mod largest;
 mod overlap;
 
 pub(crate) use curve::{Curve, Limits, in_units};
 pub(crate) use function::function;
+pub(crate) use highest::{Stretch, highest};
 pub(crate) use largest::middle_of_largest;
 pub(crate) use overlap::overlaps;
 

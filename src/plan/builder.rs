@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Bool, Code, Real, Shape, Step, Steps};
+use super::diagram::{Feed, Platform};
+use super::{Bool, Code, Logical, Real, Shape, Step, Steps};
 use crate::base::{Exact, Id};
 use crate::ir;
 
@@ -11,6 +12,7 @@ use crate::ir;
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(super) enum Key {
     Read(u32),
+    Group(ir::Grouping, Vec<Real>),
     Constant(u64),
     Degree(Real, ir::Shape),
     Complement(Real),
@@ -47,8 +49,10 @@ pub(super) struct EventSlots {
 
 /// What conditions look up while they are emitted.
 pub(super) struct Names<'a> {
-    /// The input of each sensor.
-    pub(super) input: &'a dyn Fn(Id<ir::Sensor>) -> u32,
+    /// The robot or interface with its sensors.
+    pub(super) platform: Platform<'a>,
+    /// The robot's logical sensors.
+    pub(super) logical: &'a [Logical],
     /// The flag of each event, by sense.
     pub(super) events: &'a [Vec<Bool>],
     /// The value of each output, by sense.
@@ -146,6 +150,29 @@ impl<'a> Builder<'a> {
 
     pub(super) fn read(&mut self, input: u32) -> Real {
         self.real(Key::Read(input), |_, to| Step::Read { input, to })
+    }
+
+    /// One reading from several inputs.
+    pub(super) fn group(&mut self, how: ir::Grouping, inputs: &[u32]) -> Real {
+        let of: Vec<_> = inputs.iter().map(|&input| self.read(input)).collect();
+        let key = Key::Group(how, of.clone());
+        self.real(key, |code, to| Step::Group { how, of: list(&mut code.real_lists, &of), to })
+    }
+
+    /// What a sensor reads.
+    pub(super) fn sensor(&mut self, sensor: Id<ir::Sensor>, platform: Platform<'_>, logical: &[Logical]) -> Real {
+        match platform.feed(sensor) {
+            Feed::Input(input) => self.read(input),
+            Feed::Logical(place) => logical[place as usize].value,
+        }
+    }
+
+    fn failed(&mut self, input: u32) -> Bool {
+        self.bool(Key::Failed(input), |_, to| Step::Failed { input, to })
+    }
+
+    fn any(&mut self, of: &[Bool]) -> Bool {
+        self.bool(Key::Any(of.to_vec()), |code, to| Step::Any { of: list(&mut code.bool_lists, of), to })
     }
 
     /// A fixed number; it is written once before the first tick, so it is shared by all parts.
@@ -276,11 +303,15 @@ impl<'a> Builder<'a> {
             // A checked program has no poison; false is as good as anything.
             ir::Op::Error => self.bool(Key::Any(Vec::new()), |_, to| Step::Any { of: 0..0, to }),
             ir::Op::Number(value) => self.constant(value.to_f64()),
-            ir::Op::Sensor(sensor) => self.read((names.input)(*sensor)),
-            ir::Op::Failed(sensor) => {
-                let input = (names.input)(*sensor);
-                self.bool(Key::Failed(input), |_, to| Step::Failed { input, to })
-            }
+            ir::Op::Sensor(sensor) => self.sensor(*sensor, names.platform, names.logical),
+            ir::Op::Failed(sensor) => match names.platform.feed(*sensor) {
+                Feed::Input(input) => self.failed(input),
+                Feed::Logical(place) => {
+                    let of = names.logical[place as usize].of.iter();
+                    let failed: Vec<_> = of.map(|&input| self.failed(input)).collect();
+                    self.any(&failed)
+                }
+            },
             ir::Op::Event { sense, event } => names.events[*sense as usize][*event as usize],
             ir::Op::Flag(flag) => names.flags[flag.index()],
             ir::Op::InMode(mode) => {
@@ -334,10 +365,7 @@ impl<'a> Builder<'a> {
                 let of: Vec<_> = operands.iter().map(|operand| values[operand]).collect();
                 self.bool(Key::All(of.clone()), |code, to| Step::All { of: list(&mut code.bool_lists, &of), to })
             }
-            ir::Op::Or(operands) => {
-                let of: Vec<_> = operands.iter().map(|operand| values[operand]).collect();
-                self.bool(Key::Any(of.clone()), |code, to| Step::Any { of: list(&mut code.bool_lists, &of), to })
-            }
+            ir::Op::Or(operands) => self.any(&operands.iter().map(|operand| values[operand]).collect::<Vec<_>>()),
         }
     }
 }

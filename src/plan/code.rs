@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-pub use crate::ir::{Aggregation, Comparison, Implication, SNorm, TNorm};
+pub use crate::ir::{Aggregation, Comparison, Grouping, Implication, SNorm, TNorm, Ties};
 
 /// A number of the plan's memory.
 pub type Real = u32;
@@ -53,6 +53,15 @@ pub enum Step {
     Read {
         /// The input.
         input: u32,
+        /// Where it goes.
+        to: Real,
+    },
+    /// One reading from several, a list of [`Code::real_lists`].
+    Group {
+        /// How.
+        how: Grouping,
+        /// The list.
+        of: Range<u32>,
         /// Where it goes.
         to: Real,
     },

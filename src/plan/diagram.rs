@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::builder::{Builder, EventSlots, Names, reachable};
 use super::{
-    Action, Bool, Call, Checked, Draw, Event, Evidence, Flag, Input, Mode, Origin, Output, Part, Plan, Real, Sense,
-    Transition, Value, input, origin,
+    Action, Arbiter, Bool, Call, Checked, Client, Draw, Emergency, Event, Evidence, Flag, Input, Logical, Mode, Origin,
+    Output, Part, Plan, Real, Row, Sense, Transition, Value, input, origin,
 };
 use crate::base::Id;
 use crate::ir;
@@ -23,7 +23,9 @@ pub fn build_scenario(checked: Checked<'_>, scenario: &ir::Scenario) -> Plan {
             ir::ExpectationKind::Modes(_) | ir::ExpectationKind::Transition { .. } => Vec::new(),
         })
         .collect();
-    build(checked, scenario.diagram, scenario.robot, &watched)
+    let drive = checked.program.robots[scenario.robot].drive.as_ref().and_then(|drive| drive.diagram);
+    let drive = drive.map(|drive| Box::new(build(checked, drive, scenario.robot, &[])));
+    Plan { drive, ..build(checked, scenario.diagram, scenario.robot, &watched) }
 }
 
 /// The plan of a diagram on what it is written on, watching some conditions: a robot, or one that has what the interface
@@ -38,23 +40,19 @@ pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot
 }
 
 /// The same on a robot, or on the interface it is written on: then the sensors are as the interface promises them.
-pub fn build_on(
-    checked: Checked<'_>,
-    diagram: Id<ir::Diagram>,
-    platform: ir::Platform,
-    watched: &[Id<ir::Expr>],
-) -> Plan {
+pub fn build_on(checked: Checked<'_>, diagram: Id<ir::Diagram>, on: ir::Platform, watched: &[Id<ir::Expr>]) -> Plan {
     let program = checked.program;
     let diagram = &program.diagrams[diagram];
-    let platform = Platform::new(program, platform);
-    let input_of = |sensor| platform.input(sensor);
+    let platform = Platform::new(program, on);
     let mut builder = Builder::new(program);
+    let logical: Vec<_> = platform.logical.iter().map(|&sensor| platform.lower_group(sensor, &mut builder)).collect();
 
     let (mut senses, mut events, mut strengths) = (Vec::new(), Vec::new(), Vec::new());
     let (mut event_flags, mut outputs): (Vec<Vec<Bool>>, Vec<Output>) = (Vec::new(), Vec::new());
     let mut output_values: Vec<Vec<Real>> = Vec::new();
     for sense in &diagram.senses {
-        let readings: Vec<Real> = sense.inputs.iter().map(|&sensor| builder.read(platform.input(sensor))).collect();
+        let readings = sense.inputs.iter().map(|&sensor| builder.sensor(sensor, platform, &logical));
+        let readings: Vec<Real> = readings.collect();
         let slots = builder.events(sense.network, &readings);
         event_flags.push(slots.iter().map(|slots| slots.flag).collect());
         let declared = &program.networks[sense.network].events;
@@ -82,11 +80,19 @@ pub fn build_on(
     }
     let mut flags: Vec<Bool> = Vec::new();
     for flag in diagram.flags.values() {
-        let names = Names { input: &input_of, events: &event_flags, outputs: &output_values, flags: &flags };
+        let names = Names { platform, logical: &logical, events: &event_flags, outputs: &output_values, flags: &flags };
         let value = builder.expr(flag.condition, &names);
         flags.push(value);
     }
-    let names = Names { input: &input_of, events: &event_flags, outputs: &output_values, flags: &flags };
+    let names = Names { platform, logical: &logical, events: &event_flags, outputs: &output_values, flags: &flags };
+    // What commands are given is read on every tick.
+    for call in diagram.modes.values().flat_map(ir::Mode::commands) {
+        for argument in &call.arguments {
+            if let ir::Argument::Reading(sensor) = argument {
+                builder.sensor(*sensor, platform, &logical);
+            }
+        }
+    }
     // What remembers must run on every tick, whichever mode is active.
     let of_flags = diagram.flags.values().map(|flag| flag.condition);
     let of_modes = diagram.modes.values().flat_map(|mode| &mode.transitions).map(|transition| transition.condition);
@@ -103,6 +109,8 @@ pub fn build_on(
     let fuse = 0..builder.position();
 
     let mut parts = Parts::new(platform, checked, diagram);
+    let arbiter = diagram.arbiter.as_ref().map(|arbiter| parts.arbiter(arbiter, on, &mut builder, &names));
+    let fuse = if arbiter.is_some() { 0..builder.position() } else { fuse };
     let modes = diagram.modes.iter().map(|(id, mode)| parts.mode(id, mode, &mut builder, &names)).collect();
 
     builder.begin_watch();
@@ -115,6 +123,7 @@ pub fn build_on(
         origin: origin(&diagram.symbol),
         robot: platform.name.to_owned(),
         inputs: platform.inputs(diagram),
+        logical,
         actions: platform.actions.iter().map(|&action| platform.lower_action(&program.actions[action])).collect(),
         code: builder.code,
         fuse,
@@ -133,12 +142,15 @@ pub fn build_on(
         watched,
         modes,
         transitions: parts.transitions,
+        rows: parts.rows,
         calls: parts.calls,
         arguments: parts.arguments,
         draws: parts.draws,
         required: parts.required,
         constants,
         entry: diagram.entry.map_or(0, |entry| entry.index() as u32),
+        arbiter,
+        drive: None,
     }
 }
 
@@ -152,12 +164,21 @@ fn remembers(op: &ir::Op) -> Option<Id<ir::Expr>> {
     }
 }
 
+/// Where the reading of a sensor comes from.
+pub(super) enum Feed {
+    /// An input of the plan.
+    Input(u32),
+    /// A logical sensor of the plan.
+    Logical(u32),
+}
+
 /// What a diagram runs on. What the diagram names on an interface is found on a robot by name; a checked robot has it.
 #[derive(Clone, Copy)]
-struct Platform<'a> {
+pub(super) struct Platform<'a> {
     program: &'a ir::Program,
     name: &'a str,
     sensors: &'a [Id<ir::Sensor>],
+    logical: &'a [Id<ir::Sensor>],
     actions: &'a [Id<ir::Action>],
     /// The interfaces a robot keeps; their doc comments stand in for those that the robot does not repeat.
     provides: &'a [Id<ir::Interface>],
@@ -167,20 +188,42 @@ impl<'a> Platform<'a> {
     fn new(program: &'a ir::Program, platform: ir::Platform) -> Self {
         match platform {
             ir::Platform::Robot(robot) => {
-                let ir::Robot { symbol, provides, sensors, actions, .. } = &program.robots[robot];
-                Self { program, name: &symbol.name, sensors, actions, provides }
+                let ir::Robot { symbol, provides, sensors, logical, actions, .. } = &program.robots[robot];
+                Self { program, name: &symbol.name, sensors, logical, actions, provides }
             }
             ir::Platform::Interface(interface) => {
                 let ir::Interface { symbol, sensors, actions } = &program.interfaces[interface];
-                Self { program, name: &symbol.name, sensors, actions, provides: &[] }
+                Self { program, name: &symbol.name, sensors, logical: &[], actions, provides: &[] }
             }
         }
     }
 
-    fn input(&self, sensor: Id<ir::Sensor>) -> u32 {
+    pub(super) fn feed(&self, sensor: Id<ir::Sensor>) -> Feed {
         let name = &self.program.sensors[sensor].symbol.name;
-        let place = |&own: &Id<ir::Sensor>| own == sensor || self.program.sensors[own].symbol.name == *name;
-        self.sensors.iter().position(place).unwrap_or_default() as u32
+        let is_it = |&own: &Id<ir::Sensor>| own == sensor || self.program.sensors[own].symbol.name == *name;
+        match self.logical.iter().position(is_it) {
+            Some(place) => Feed::Logical(place as u32),
+            None => Feed::Input(self.sensors.iter().position(is_it).unwrap_or_default() as u32),
+        }
+    }
+
+    /// The inputs that a sensor reads.
+    fn inputs_of(&self, sensor: Id<ir::Sensor>) -> Vec<u32> {
+        match self.feed(sensor) {
+            Feed::Input(input) => vec![input],
+            Feed::Logical(place) => {
+                let group = self.program.sensors[self.logical[place as usize]].group.iter();
+                group.flat_map(|group| &group.of).flat_map(|&member| self.inputs_of(member)).collect()
+            }
+        }
+    }
+
+    fn lower_group(&self, sensor: Id<ir::Sensor>, builder: &mut Builder<'_>) -> Logical {
+        let ir::Sensor { symbol, unit, group, .. } = &self.program.sensors[sensor];
+        let of = self.inputs_of(sensor);
+        let how = group.as_ref().map_or(ir::Grouping::Minimum, |group| group.how);
+        let value = builder.group(how, &of);
+        Logical { name: symbol.name.clone(), origin: origin(symbol), unit: unit.clone(), of, value }
     }
 
     fn action(&self, action: Id<ir::Action>) -> u32 {
@@ -201,21 +244,21 @@ impl<'a> Platform<'a> {
         }
     }
 
-    /// The sensors; one that does not say how it fails takes the word of a variable it feeds.
+    /// The sensors; one that does not say how it fails takes the word of a variable it feeds, by itself or in a group.
     fn inputs(&self, diagram: &ir::Diagram) -> Vec<Input> {
-        let feeds = |sensor: Id<ir::Sensor>| -> Vec<&[ir::FailReading]> {
-            let fed = diagram.senses.iter().flat_map(|sense| {
-                let inputs = &self.program.networks[sense.network].inputs;
-                sense.inputs.iter().zip(inputs).filter(move |(fed, _)| **fed == sensor).map(|(_, input)| input.variable)
-            });
-            fed.map(|variable| self.program.variables[variable].fails.as_slice()).collect()
-        };
+        let fed = diagram.senses.iter().flat_map(|sense| {
+            let inputs = sense.inputs.iter().zip(&self.program.networks[sense.network].inputs);
+            inputs.map(|(&fed, input)| (self.inputs_of(fed), self.program.variables[input.variable].fails.as_slice()))
+        });
+        let fed: Vec<_> = fed.collect();
+        let feeds = |place: u32| fed.iter().filter(move |(places, _)| places.contains(&place)).map(|(_, fails)| *fails);
         let promised = self.provides.iter().flat_map(|&interface| &self.program.interfaces[interface].sensors);
         let promised = promised.map(|&sensor| &self.program.sensors[sensor].symbol);
-        let sensors = self.sensors.iter().map(|&id| (id, &self.program.sensors[id]));
+        let sensors = self.sensors.iter().map(|&id| &self.program.sensors[id]);
         sensors
-            .map(|(id, sensor)| {
-                let fails = [vec![sensor.fails.as_slice()], feeds(id)].concat();
+            .zip(0..)
+            .map(|(sensor, place)| {
+                let fails: Vec<_> = std::iter::once(sensor.fails.as_slice()).chain(feeds(place)).collect();
                 let input = input(&sensor.symbol, &sensor.unit, sensor.range, &fails);
                 Input { origin: documented(&sensor.symbol, promised.clone()), ..input }
             })
@@ -240,6 +283,7 @@ struct Parts<'a> {
     checked: Checked<'a>,
     diagram: &'a ir::Diagram,
     transitions: Vec<Transition>,
+    rows: Vec<Row>,
     calls: Vec<Call>,
     arguments: Vec<Real>,
     draws: Vec<Draw>,
@@ -253,6 +297,7 @@ impl<'a> Parts<'a> {
             checked,
             diagram,
             transitions: Vec::new(),
+            rows: Vec::new(),
             calls: Vec::new(),
             arguments: Vec::new(),
             draws: Vec::new(),
@@ -260,14 +305,52 @@ impl<'a> Parts<'a> {
         }
     }
 
+    fn arbiter(
+        &mut self,
+        arbiter: &ir::Arbiter,
+        on: ir::Platform,
+        builder: &mut Builder<'_>,
+        names: &Names<'_>,
+    ) -> Arbiter {
+        let emergency = |emergency: &ir::Emergency| {
+            let condition = builder.expr(emergency.condition, names);
+            let text = self.checked.on_one_line(self.platform.program.exprs[emergency.condition].span);
+            let call = self.calls(std::slice::from_ref(&emergency.command), builder, names).start;
+            Emergency { condition, text, call }
+        };
+        let emergencies = arbiter.emergencies.iter().map(emergency).collect();
+        let client = |client: &ir::Client| Client {
+            name: client.symbol.name.clone(),
+            plan: Box::new(build_on(self.checked, client.diagram, on, &[])),
+            priorities: client
+                .priorities
+                .iter()
+                .map(|&(level, when)| (level, when.map(|when| builder.expr(when, names))))
+                .collect(),
+        };
+        let clients = arbiter.clients.iter().map(client).collect();
+        let fed = |source: ir::SensorSource| {
+            let is_it = |id: &Id<ir::Sensor>| self.platform.program.sensors[*id].source == Some(source);
+            Some(self.platform.sensors.iter().position(is_it)? as u32)
+        };
+        let (won, lost) = (fed(ir::SensorSource::Won), fed(ir::SensorSource::Lost));
+        Arbiter { emergencies, clients, ties: arbiter.ties.unwrap_or(ir::Ties::InOrder), won, lost }
+    }
+
     fn mode(&mut self, id: Id<ir::Mode>, mode: &ir::Mode, builder: &mut Builder<'_>, names: &Names<'_>) -> Mode {
         let draws = self.draws.len() as u32;
         let on_enter = self.calls(&mode.on_enter, builder, names);
-        let actions = self.calls(&mode.actions, builder, names);
+        // A table of one row gives its command whatever happens.
+        let (always, table) = match mode.decision.as_ref().map(|table| table.rows.as_slice()) {
+            Some([row]) if row.commands.len() < 2 => (row.commands.as_slice(), [].as_slice()),
+            rows => ([].as_slice(), rows.unwrap_or_default()),
+        };
+        let actions = self.calls(&[&mode.actions, always].concat(), builder, names);
         let on_exit = self.calls(&mode.on_exit, builder, names);
         let draws = draws..self.draws.len() as u32;
+        let rows = self.rows(table, builder, names);
         let required = self.required.len() as u32;
-        self.required.extend(mode.requires.iter().map(|&(sensor, _)| self.platform.input(sensor)));
+        self.required.extend(mode.requires.iter().flat_map(|&(sensor, _)| self.platform.inputs_of(sensor)));
         let transitions = self.transitions.len() as u32;
         for transition in &mode.transitions {
             let transition = self.transition(id, transition, builder, names);
@@ -278,12 +361,31 @@ impl<'a> Parts<'a> {
             origin: origin(&mode.symbol),
             transitions: transitions..self.transitions.len() as u32,
             actions,
+            rows,
             on_enter,
             on_exit,
             draws,
             required: required..self.required.len() as u32,
             otherwise: mode.otherwise.map(|mode| mode.index() as u32),
         }
+    }
+
+    fn rows(&mut self, rows: &[ir::DecisionRow], builder: &mut Builder<'_>, names: &Names<'_>) -> Range<u32> {
+        let first = self.rows.len() as u32;
+        for row in rows {
+            builder.begin_part();
+            let start = builder.position();
+            let condition = builder.expr(row.condition, names);
+            let steps = start..builder.position();
+            let draws = self.draws.len() as u32;
+            let several = row.commands.len() as f64;
+            let pick = (row.commands.len() > 1).then(|| builder.new_real());
+            self.draws.extend(pick.map(|to| Draw { low: 0.0, high: several, to }));
+            let calls = self.calls(&row.commands, builder, names);
+            let draws = draws..self.draws.len() as u32;
+            self.rows.push(Row { steps, condition, calls, pick, draws, span: row.span });
+        }
+        first..self.rows.len() as u32
     }
 
     fn calls(&mut self, calls: &[ir::Call], builder: &mut Builder<'_>, names: &Names<'_>) -> Range<u32> {
@@ -298,6 +400,7 @@ impl<'a> Parts<'a> {
                         self.draws.push(Draw { low: low.to_f64(), high: high.to_f64(), to });
                         to
                     }
+                    ir::Argument::Reading(sensor) => builder.sensor(*sensor, names.platform, names.logical),
                     ir::Argument::Output { sense, output } => names.outputs[*sense as usize][*output as usize],
                 };
                 self.arguments.push(real);
@@ -367,10 +470,17 @@ impl<'a> Parts<'a> {
     /// The numbers that one operation looks at.
     fn looks_at(&self, op: &ir::Op) -> Vec<Evidence> {
         match op {
-            ir::Op::Sensor(sensor) | ir::Op::Failed(sensor) => vec![Evidence::Input(self.platform.input(*sensor))],
+            ir::Op::Sensor(sensor) | ir::Op::Failed(sensor) => vec![self.reading(*sensor)],
             ir::Op::Event { sense, event } => vec![self.event(*sense, *event)],
             ir::Op::After(_) => vec![Evidence::Dwell],
             _ => Vec::new(),
+        }
+    }
+
+    fn reading(&self, sensor: Id<ir::Sensor>) -> Evidence {
+        match self.platform.feed(sensor) {
+            Feed::Input(input) => Evidence::Input(input),
+            Feed::Logical(place) => Evidence::Logical(place),
         }
     }
 
@@ -398,7 +508,7 @@ impl<'a> Parts<'a> {
                 match op {
                     ir::Op::Event { sense, .. } => {
                         for &sensor in &self.diagram.senses[*sense as usize].inputs {
-                            add(Evidence::Input(self.platform.input(sensor)));
+                            add(self.reading(sensor));
                         }
                     }
                     ir::Op::Flag(flag) if seen.insert(*flag) => {

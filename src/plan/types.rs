@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::code::{Bool, Code, Real, Steps};
+use super::code::{Bool, Code, Real, Steps, Ties};
 use crate::base::Span;
 
 /// Where something stands in the source, and what its doc comment says of it.
@@ -29,6 +29,21 @@ pub struct Input {
     pub high: f64,
     /// What stands in for it when it has failed.
     pub fail: f64,
+}
+
+/// A logical sensor of the robot, and where its reading is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Logical {
+    /// Its name.
+    pub name: String,
+    /// Where it stands.
+    pub origin: Origin,
+    /// How to show its numbers.
+    pub unit: crate::base::Unit,
+    /// The inputs it follows from.
+    pub of: Vec<u32>,
+    /// Its reading.
+    pub value: Real,
 }
 
 /// An event and where its numbers are.
@@ -89,6 +104,8 @@ pub struct Plan {
     pub robot: String,
     /// The robot's sensors, in its order.
     pub inputs: Vec<Input>,
+    /// The robot's logical sensors, in its order.
+    pub logical: Vec<Logical>,
     /// The robot's actions, in its order.
     pub actions: Vec<Action>,
     /// What is computed.
@@ -115,6 +132,8 @@ pub struct Plan {
     pub modes: Vec<Mode>,
     /// The transitions of all modes, by mode and priority.
     pub transitions: Vec<Transition>,
+    /// The rows of all decision tables, by mode.
+    pub rows: Vec<Row>,
     /// The commands of all modes.
     pub calls: Vec<Call>,
     /// Where the arguments of the commands are.
@@ -127,6 +146,56 @@ pub struct Plan {
     pub constants: Steps,
     /// The mode the machine starts in.
     pub entry: u32,
+    /// What chooses among clients, if it is an arbiter; the modes are then who has the robot.
+    pub arbiter: Option<Arbiter>,
+    /// What carries out the robot's commands, where that is a behavior too; only for a scenario.
+    pub drive: Option<Box<Self>>,
+}
+
+/// A priority multiplexer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arbiter {
+    /// What bypasses the clients, in order.
+    pub emergencies: Vec<Emergency>,
+    /// Who proposes commands, in order.
+    pub clients: Vec<Client>,
+    /// Who wins of clients with one priority.
+    pub ties: Ties,
+    /// The inputs by which a client sees that it won, or lost.
+    pub won: Option<u32>,
+    /// See `won`.
+    pub lost: Option<u32>,
+}
+
+impl Arbiter {
+    /// The mode in which no command is given.
+    pub const NOBODY: u32 = 0;
+    /// The mode in which an emergency has the robot.
+    pub const EMERGENCY: u32 = 1;
+    /// How many modes stand before those of the clients.
+    pub const OTHERS: u32 = crate::ir::Arbiter::OTHERS;
+}
+
+/// A command that goes straight to the body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Emergency {
+    /// When.
+    pub condition: Bool,
+    /// As written.
+    pub text: String,
+    /// What, in [`Plan::calls`].
+    pub call: u32,
+}
+
+/// A client of an arbiter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Client {
+    /// Its name.
+    pub name: String,
+    /// What it runs.
+    pub plan: Box<Plan>,
+    /// Its priorities: the first whose condition holds, or that has none.
+    pub priorities: Vec<(u32, Option<Bool>)>,
 }
 
 /// A network bound to inputs.
@@ -168,6 +237,8 @@ pub struct Mode {
     pub transitions: Range<u32>,
     /// Its commands of every tick in [`Plan::calls`].
     pub actions: Range<u32>,
+    /// The rows of its decision table in [`Plan::rows`], of which one fits on every tick.
+    pub rows: Range<u32>,
     /// Its commands on entry in [`Plan::calls`].
     pub on_enter: Range<u32>,
     /// Its commands on leaving in [`Plan::calls`].
@@ -229,6 +300,8 @@ pub enum Value {
 pub enum Evidence {
     /// An input.
     Input(u32),
+    /// A logical sensor.
+    Logical(u32),
     /// An event.
     Event(u32),
     /// The time in the mode.
@@ -244,7 +317,24 @@ pub struct Call {
     pub arguments: Range<u32>,
 }
 
-/// A random number, drawn when its mode is entered.
+/// A row of a decision table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// What computes its condition, beyond what was fused.
+    pub steps: Steps,
+    /// Whether it fits.
+    pub condition: Bool,
+    /// Its command in [`Plan::calls`], or those of which one is given.
+    pub calls: Range<u32>,
+    /// Which of several commands is given: the whole part, drawn when the row begins to fit.
+    pub pick: Option<Real>,
+    /// Its random numbers in [`Plan::draws`], drawn when it begins to fit.
+    pub draws: Range<u32>,
+    /// Where its cells stand.
+    pub span: Span,
+}
+
+/// A random number, drawn when its mode is entered, or when its row begins to fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Draw {
     /// The lower end.

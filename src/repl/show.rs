@@ -21,6 +21,7 @@ pub(super) fn change(session: &Session<'_>) -> String {
         Taken::Lost { input, .. } => {
             format!("{from} -> {to}  `{}` has failed, which {from} requires", plan.inputs[input as usize].name)
         }
+        Taken::Handed => format!("{from} -> {to}"),
         Taken::Stayed => return String::new(),
     };
     format!("  at {}: {way}\n", time(tick.time))

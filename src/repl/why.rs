@@ -28,6 +28,7 @@ fn tried(session: &Session<'_>, tick: &Tick, machine: &Machine<'_>) -> String {
             let input = &plan.inputs[input as usize].name;
             return format!("  at {at}: {from} -> {to}, because {from} requires `{input}`, which has failed\n");
         }
+        Taken::Handed => return format!("  at {at}: the robot is handed from {from} to {to}\n"),
         Taken::Stayed if range.is_empty() => return format!("  at {at}: {from} has no transitions\n"),
         Taken::Stayed | Taken::Transition(_) => {}
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Lower, invalid, named, not_supported};
+use super::{Lower, invalid, not_supported};
 use crate::base::{Dimension, Exact, Id, Span, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir::{self, Comparison, Expr, Op, Type};
@@ -28,6 +28,11 @@ pub(super) struct Scene {
     pub(super) events: HashMap<String, Vec<(u32, u32)>>,
     /// The outputs of all sensed networks by name, in the same way.
     pub(super) outputs: HashMap<String, Vec<(u32, u32)>>,
+    /// The inputs of all sensed networks: the name, the sense, the sensor, the variable.
+    pub(super) inputs: Vec<(String, u32, Id<ir::Sensor>, Id<ir::Variable>)>,
+    /// What the robot's sensors `state` and `command` can be, by number; empty for a robot without a drive.
+    pub(super) states: Vec<String>,
+    pub(super) commands: Vec<String>,
     /// The named flags; `None` for one that is broken and was reported.
     pub(super) flags: HashMap<String, Option<Id<ir::Flag>>>,
     /// The network of each sense, for what it has besides events.
@@ -42,6 +47,8 @@ pub(super) struct Scene {
     pub(super) interface: Option<String>,
     /// Whether some sensed network is broken: then a name that is not known may be one of its events.
     pub(super) incomplete: bool,
+    /// Whether something that feeds a sensed network is broken: then a name that is not known may be one of its inputs.
+    pub(super) unfed: bool,
     /// Whether the actions of the mode can report completion; `None` outside of a mode.
     pub(super) reports_done: Option<bool>,
 }
@@ -76,7 +83,9 @@ impl Lower<'_> {
     /// What is said of a diagram from outside: it may also name the modes.
     pub(super) fn watched_scene(&self, id: Id<ir::Diagram>, sensors: Vec<Id<ir::Sensor>>) -> Scene {
         let diagram = &self.program.diagrams[id];
-        let mut scene = Scene { sensors, incomplete: self.poison.diagrams.contains(&id), ..Scene::default() };
+        let (states, commands) = self.doings(diagram.platform);
+        let incomplete = self.poison.diagrams.contains(&id);
+        let mut scene = Scene { sensors, states, commands, incomplete, ..Scene::default() };
         for name in self.poison.flags.get(&id).into_iter().flatten() {
             scene.flags.insert(name.clone(), None);
         }
@@ -92,12 +101,33 @@ impl Lower<'_> {
             scene.senses.insert(sense.symbol.name.clone(), position as u32);
             scene.sense_places.push(sense.symbol.span);
             scene.sense_networks.push(sense.network);
+            scene.inputs.extend(self.scene_inputs(position as u32, sense));
+            scene.unfed |= sense.inputs.len() < self.program.networks[sense.network].inputs.len();
             for (event, declared) in self.program.networks[sense.network].events.iter().enumerate() {
                 let place = (position as u32, event as u32);
                 scene.events.entry(declared.symbol.name.clone()).or_default().push(place);
             }
         }
         scene
+    }
+
+    /// The states of a robot with a drive, and its commands with `nothing` in front.
+    pub(super) fn doings(&self, platform: ir::Platform) -> (Vec<String>, Vec<String>) {
+        let ir::Platform::Robot(robot) = platform else { return Default::default() };
+        let robot = &self.program.robots[robot];
+        let Some(drive) = &robot.drive else { return Default::default() };
+        let actions = robot.actions.iter().map(|&id| self.program.actions[id].symbol.name.clone());
+        (drive.states.clone(), std::iter::once("nothing".to_owned()).chain(actions).collect())
+    }
+
+    /// The inputs of a sensed network as conditions name them.
+    pub(super) fn scene_inputs(
+        &self,
+        position: u32,
+        sense: &ir::Sense,
+    ) -> Vec<(String, u32, Id<ir::Sensor>, Id<ir::Variable>)> {
+        let inputs = self.program.networks[sense.network].inputs.iter().zip(&sense.inputs);
+        inputs.map(|(input, &sensor)| (input.symbol.name.clone(), position, sensor, input.variable)).collect()
     }
 
     /// A condition; poison where it is broken, which was reported.
@@ -116,7 +146,7 @@ impl Lower<'_> {
         self.program.exprs.add(Expr { op: Op::Error, ty: Type::Error, span })
     }
 
-    fn truth(&mut self, op: Op, span: Span) -> Id<Expr> {
+    pub(super) fn truth(&mut self, op: Op, span: Span) -> Id<Expr> {
         self.program.exprs.add(Expr { op, ty: Type::Bool, span })
     }
 
@@ -144,8 +174,13 @@ impl Lower<'_> {
                 self.report(Diagnostic::new(&diag::rules::NOT_A_CONDITION, span, message).help_maybe(help));
                 None
             }
-            ast::ExprKind::Index(..) => self.later(span, "an element of an array of sensors"),
-            ast::ExprKind::Is(..) => self.later(span, "`is` in a condition"),
+            ast::ExprKind::Index(path, indices) => {
+                return match self.one_indexed(path, indices, span, &scene.sensors) {
+                    Some(sensor) => self.reading(sensor, span),
+                    None => self.poisoned(span),
+                };
+            }
+            ast::ExprKind::Is(subject, terms) => self.is_term(subject, terms, span, scene),
             ast::ExprKind::Negate(_) | ast::ExprKind::Sum(_) | ast::ExprKind::Product(_) => {
                 self.later(span, "arithmetic in a condition")
             }
@@ -166,6 +201,12 @@ impl Lower<'_> {
     }
 
     fn path(&mut self, path: &ast::Path, scene: &Scene) -> Id<Expr> {
+        if let [first, _] = path.segments.as_slice()
+            && let Some(sensor) = self.argument_told(path, &scene.sensors)
+        {
+            self.reads(first, sensor);
+            return self.reading(sensor, path.span);
+        }
         let op = match path.segments.as_slice() {
             [name] => self.simple_name(name, scene),
             [sense, event] => self.qualified_name(sense, event, scene),
@@ -176,13 +217,22 @@ impl Lower<'_> {
             }
         };
         match op {
-            Some(Op::Sensor(sensor)) => {
-                let ty = Type::Quantity(self.program.sensors[sensor].unit.dimension);
-                self.program.exprs.add(Expr { op: Op::Sensor(sensor), ty, span: path.span })
-            }
+            Some(Op::Sensor(sensor)) => self.reading(sensor, path.span),
             Some(op) => self.truth(op, path.span),
             None => self.poisoned(path.span),
         }
+    }
+
+    /// What a sensor reads; of a contact, whether it is set.
+    fn reading(&mut self, sensor: Id<ir::Sensor>, span: Span) -> Id<Expr> {
+        let ir::Sensor { unit, is_contact, .. } = &self.program.sensors[sensor];
+        let (ty, is_contact) = (Type::Quantity(unit.dimension), *is_contact);
+        let reading = self.program.exprs.add(Expr { op: Op::Sensor(sensor), ty, span });
+        if !is_contact {
+            return reading;
+        }
+        let half = self.program.exprs.add(Expr { op: Op::Number(Exact::new(1, 2, 0)), ty, span });
+        self.truth(Op::Compare(Comparison::Greater, reading, half), span)
     }
 
     /// A flag, an event, a sensor or a mode; reports a name that is none of them, or more than one.
@@ -208,9 +258,14 @@ impl Lower<'_> {
             self.report(ambiguous(name, &meanings, scene));
             return None;
         }
+        if found.is_empty() && !self.elements(&name.text, &scene.sensors).is_empty() {
+            self.sensor_named(name, &scene.sensors);
+            return None;
+        }
         if found.is_empty() && !scene.incomplete {
-            let sensors = scene.sensors.iter().map(|&sensor| self.program.sensors[sensor].symbol.name.as_str());
-            let diagnostic = self.unknown(name, "flag, event or sensor", scene.names().chain(sensors));
+            let sensors = self.sensor_names(&scene.sensors);
+            let known = scene.names().chain(sensors.iter().map(String::as_str));
+            let diagnostic = self.unknown(name, "flag, event or sensor", known);
             let elsewhere = self.event_elsewhere(name).or_else(|| scene.interface.as_deref().map(of_interface));
             let is_near = diagnostic.help.as_ref().is_some_and(|help| help.starts_with("did"));
             self.report(if is_near { diagnostic } else { diagnostic.help_maybe(elsewhere) });
@@ -266,27 +321,6 @@ impl Lower<'_> {
         Some(op)
     }
 
-    /// The sensor of that name, without a report.
-    pub(super) fn find_sensor(&self, name: &ast::Name, sensors: &[Id<ir::Sensor>]) -> Option<Id<ir::Sensor>> {
-        named(&name.text, sensors, |id| &self.program.sensors[id].symbol)
-    }
-
-    /// The sensor of that name; reports one that does not exist. `None` also for one that is broken.
-    pub(super) fn sensor_named(&mut self, name: &ast::Name, sensors: &[Id<ir::Sensor>]) -> Option<Id<ir::Sensor>> {
-        let found = self.find_sensor(name, sensors);
-        if found.is_none() {
-            let known = sensors.iter().map(|&sensor| self.program.sensors[sensor].symbol.name.as_str());
-            let diagnostic = self.unknown(name, "sensor", known);
-            self.report(diagnostic);
-        }
-        if let Some(sensor) = found {
-            let declared = self.program.sensors[sensor].symbol.span;
-            self.read.insert(declared);
-            self.refers(name.span, declared);
-        }
-        found.filter(|sensor| !self.poison.sensors.contains(sensor))
-    }
-
     /// `failed`, `rising`, `falling`, `held`, `latched` and `count`.
     fn history(&mut self, call: &ast::Call, scene: &Scene) -> Id<Expr> {
         let function = call.path.segments.first().map_or("", |name| name.text.as_str());
@@ -306,7 +340,7 @@ impl Lower<'_> {
         }
         let arguments: Vec<_> = call.arguments.iter().map(|argument| &argument.value).collect();
         let op = match (function, arguments.as_slice()) {
-            ("failed", [sensor]) => self.sensor_argument(sensor, scene).map(Op::Failed),
+            ("failed", [sensor]) => self.failed(sensor, call.span, scene),
             ("held", [of, duration]) => {
                 let of = self.condition(of, scene);
                 self.duration_argument(duration).map(|duration| Op::Held(of, duration))
@@ -327,20 +361,27 @@ impl Lower<'_> {
         }
     }
 
-    fn sensor_argument(&mut self, tree: &ast::Expr, scene: &Scene) -> Option<Id<ir::Sensor>> {
+    /// Whether a sensor has failed: of several, whether one of them has.
+    fn failed(&mut self, tree: &ast::Expr, span: Span, scene: &Scene) -> Option<Op> {
         if let ast::ExprKind::Path(path) = &tree.kind
             && let [name] = path.segments.as_slice()
+            && self.find_sensor(name, &scene.sensors).is_none()
+            && (scene.flags.contains_key(&name.text) || scene.events.contains_key(&name.text))
         {
-            let is_sensor = self.find_sensor(name, &scene.sensors).is_some();
-            if !is_sensor && (scene.flags.contains_key(&name.text) || scene.events.contains_key(&name.text)) {
-                let message = format!("`{}` is a flag, not a sensor", name.text);
-                self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
-                return None;
-            }
-            return self.sensor_named(name, &scene.sensors);
+            let message = format!("`{}` is a flag, not a sensor", name.text);
+            self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
+            return None;
         }
-        self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, tree.span, "`failed` takes the name of a sensor"));
-        None
+        if !matches!(tree.kind, ast::ExprKind::Path(_) | ast::ExprKind::Index(..)) {
+            let message = "`failed` takes the name of a sensor";
+            self.report(Diagnostic::new(&diag::rules::WRONG_ARGUMENTS, tree.span, message));
+            return None;
+        }
+        let meant = self.measuring(tree, &scene.sensors)?;
+        if let [sensor] = meant.as_slice() {
+            return Some(Op::Failed(*sensor));
+        }
+        Some(Op::Or(meant.into_iter().map(|sensor| self.truth(Op::Failed(sensor), span)).collect()))
     }
 
     fn duration_argument(&mut self, tree: &ast::Expr) -> Option<u64> {

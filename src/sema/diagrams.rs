@@ -58,21 +58,13 @@ impl<'a> Lower<'a> {
             );
         };
         let Some(platform) = self.find_platform(on) else { return };
-        let (sensors, actions) = match platform {
-            ir::Platform::Robot(id) => {
-                let robot = &self.program.robots[id];
-                (robot.sensors.clone(), robot.actions.clone())
-            }
-            ir::Platform::Interface(id) => {
-                let interface = &self.program.interfaces[id];
-                (interface.sensors.clone(), interface.actions.clone())
-            }
-        };
+        let (sensors, actions) = (self.program.sensors_of(platform), self.program.actions_of(platform).to_vec());
         let interface = match platform {
             ir::Platform::Robot(_) => None,
             ir::Platform::Interface(id) => Some(self.program.interfaces[id].symbol.name.clone()),
         };
-        let mut scene = Scene { sensors, interface, ..Scene::default() };
+        let (states, commands) = self.doings(platform);
+        let mut scene = Scene { sensors, states, commands, interface, ..Scene::default() };
         let senses = self.senses(&parts.senses, &mut scene);
         self.broken_items(&chain, &mut scene);
         let flags = self.flags(&parts.flags, &mut scene);
@@ -97,6 +89,7 @@ impl<'a> Lower<'a> {
             flags,
             modes: lowered,
             entry: None,
+            arbiter: None,
             incomplete,
         };
         match parts.entry {
@@ -187,8 +180,12 @@ impl<'a> Lower<'a> {
                 scene.outputs.entry(declared.symbol.name.clone()).or_default().push((position, output as u32));
             }
             // A sense with a broken input keeps its events; the first sensor stands in until it is mended.
-            let inputs = self.sense_inputs(tree, network, &scene.sensors).unwrap_or_default();
-            senses.push(ir::Sense { symbol: symbol(name, None), network, inputs });
+            let inputs = self.sense_inputs(tree, network, &scene.sensors);
+            scene.unfed |= inputs.is_none();
+            let inputs = inputs.unwrap_or_default();
+            let sense = ir::Sense { symbol: symbol(name, None), network, inputs };
+            scene.inputs.extend(self.scene_inputs(position, &sense));
+            senses.push(sense);
         }
         senses
     }
@@ -208,10 +205,7 @@ impl<'a> Lower<'a> {
                 ast::ExprKind::Path(path) if path.segments.len() == 1 => {
                     self.sensor_named(path.segments.first()?, sensors)
                 }
-                ast::ExprKind::Index(..) => {
-                    self.report(not_supported(argument.value.span, "an element of an array of sensors"));
-                    None
-                }
+                ast::ExprKind::Index(path, indices) => self.one_indexed(path, indices, argument.value.span, sensors),
                 _ => {
                     self.report(super::invalid(argument.value.span, "a network is fed by sensors"));
                     None
@@ -374,9 +368,7 @@ pub(super) fn collect_names<'e>(expr: &'e ast::Expr, names: &mut Vec<&'e str>) {
                 names.push(&name.text);
             }
         }
-        ast::ExprKind::Not(inner) | ast::ExprKind::Negate(inner) | ast::ExprKind::Is(inner, _) => {
-            collect_names(inner, names);
-        }
+        ast::ExprKind::Not(inner) | ast::ExprKind::Negate(inner) => collect_names(inner, names),
         ast::ExprKind::And(operands) | ast::ExprKind::Or(operands) => {
             for operand in operands {
                 collect_names(operand, names);
@@ -395,7 +387,12 @@ pub(super) fn collect_names<'e>(expr: &'e ast::Expr, names: &mut Vec<&'e str>) {
         ast::ExprKind::Product(of) => {
             of.iter().map(|(_, factor)| factor).for_each(|factor| collect_names(factor, names));
         }
-        ast::ExprKind::Index(..) | ast::ExprKind::Quantity(_) | ast::ExprKind::After(_) | ast::ExprKind::Done => {}
+        // What `is` looks at is a reading.
+        ast::ExprKind::Is(..)
+        | ast::ExprKind::Index(..)
+        | ast::ExprKind::Quantity(_)
+        | ast::ExprKind::After(_)
+        | ast::ExprKind::Done => {}
     }
 }
 

@@ -1,10 +1,14 @@
 //! Syntax trees to the typed program: names to ids, units to SI, types checked.
 //!
-//! Imports: base, diag, ir, syntax
+//! Imports: base, diag, ir, membership, syntax
 //! Crates: –
 
+mod arbiters;
 mod conditions;
+mod crisp;
+mod decisions;
 mod diagrams;
+mod doors;
 mod extends;
 mod fusion;
 mod inference;
@@ -17,6 +21,7 @@ mod robots;
 mod rules;
 mod scenarios;
 mod scope;
+mod sensors;
 mod shapes;
 mod unparsed;
 mod unused;
@@ -82,6 +87,8 @@ pub fn lower(units: &[Unit], sources: &Sources) -> Lowered {
     for phase in [Phase::Variables, Phase::Networks, Phase::Interfaces, Phase::Robots, Phase::Worlds, Phase::Diagrams] {
         lower.run(phase);
     }
+    lower.drives();
+    lower.run(Phase::Arbiters);
     lower.run(Phase::Properties);
     lower.monitors();
     lower.run(Phase::Scenarios);
@@ -107,6 +114,7 @@ enum Phase {
     Robots,
     Worlds,
     Diagrams,
+    Arbiters,
     Properties,
     Scenarios,
 }
@@ -159,9 +167,7 @@ impl<'a> Lower<'a> {
                     (Phase::Diagrams, ast::Item::Diagram(diagram)) => self.diagram(diagram),
                     (Phase::Properties, ast::Item::Property(property)) => self.property(property),
                     (Phase::Scenarios, ast::Item::Scenario(scenario)) => self.scenario(scenario),
-                    (Phase::Variables, ast::Item::Arbiter(ast::Arbiter { name, .. })) => {
-                        self.report(not_supported(name.span, "an arbiter"));
-                    }
+                    (Phase::Arbiters, ast::Item::Arbiter(arbiter)) => self.arbiter(arbiter),
                     (Phase::Variables, ast::Item::Team(ast::Team { name, .. })) => {
                         self.report(not_supported(name.span, "a team"));
                     }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::conditions::Scene;
 use super::quantities::{empty_range, mismatch};
-use super::{Lower, given, invalid, named, not_supported, symbol};
+use super::{Lower, given, invalid, named, symbol};
 use crate::base::{Exact, Id, Span, Unit};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
@@ -32,6 +32,7 @@ impl Lower<'_> {
             requires: Vec::new(),
             otherwise: tree.otherwise.as_ref().and_then(|name| self.mode_named(name, modes)),
             actions: Vec::new(),
+            decision: None,
             on_enter: Vec::new(),
             on_exit: Vec::new(),
             transitions: Vec::new(),
@@ -46,9 +47,10 @@ impl Lower<'_> {
             self.report(diagnostic.help("name a mode that can do without the sensor"));
         }
         for name in &tree.requires {
-            let sensor = self.sensor_named(name, &scene.sensors);
-            mode.requires.extend(sensor.map(|sensor| (sensor, name.span)));
+            let sensors = self.measuring_named(name, &scene.sensors).unwrap_or_default();
+            mode.requires.extend(sensors.into_iter().map(|sensor| (sensor, name.span)));
         }
+        let mut decision = None;
         for item in &tree.items {
             match item {
                 ast::ModeItem::Action(call) => mode.actions.extend(self.call(call, actions, scene)),
@@ -60,12 +62,18 @@ impl Lower<'_> {
                     mode.on_exit
                         .extend(calls.iter().filter_map(|call| self.call(call, actions, scene)).collect::<Vec<_>>());
                 }
-                ast::ModeItem::Decide(decide) => self.report(not_supported(decide.span, "a decision table")),
+                ast::ModeItem::Decide(decide) => {
+                    let lowered = self.decision(decide, actions, scene);
+                    mode.incomplete |= lowered.is_none();
+                    self.once(&mut decision, lowered, decide.span, "the decision table");
+                }
                 ast::ModeItem::Transition(_) | ast::ModeItem::Error(_) => {}
             }
         }
         let calls = tree.items.iter().filter(|item| matches!(item, ast::ModeItem::Action(_))).count();
-        let reports = mode.actions.iter().any(|call| self.program.actions[call.action].reports_done);
+        mode.decision = decision.and_then(|(decision, _)| decision);
+        let decided = mode.decision.iter().flat_map(|decision| &decision.rows).flat_map(|row| &row.commands);
+        let reports = mode.actions.iter().chain(decided).any(|call| self.program.actions[call.action].reports_done);
         // A broken call was reported; it may be the one that would have reported completion.
         scene.reports_done = Some(reports || mode.actions.len() < calls);
         let own = modes.get(tree.name.text.as_str()).map(|own| own.0);
@@ -110,7 +118,7 @@ impl Lower<'_> {
         Some(found)
     }
 
-    fn call(&mut self, tree: &ast::Call, actions: &[Id<ir::Action>], scene: &Scene) -> Option<ir::Call> {
+    pub(super) fn call(&mut self, tree: &ast::Call, actions: &[Id<ir::Action>], scene: &Scene) -> Option<ir::Call> {
         let [name] = tree.path.segments.as_slice() else {
             let message = "an action has a simple name";
             self.report(Diagnostic::new(&diag::rules::UNKNOWN_NAME, tree.path.span, message));
@@ -146,13 +154,27 @@ impl Lower<'_> {
             ast::ExprKind::Call(call) if call.path.segments.iter().map(|name| name.text.as_str()).eq(["random"]) => {
                 self.random(call, unit)
             }
-            ast::ExprKind::Path(path) => self.output_argument(path, unit, scene),
+            ast::ExprKind::Path(path) => match self.argument_told(path, &scene.sensors) {
+                Some(sensor) => self.reading_argument(sensor, path, unit),
+                None => self.output_argument(path, unit, scene),
+            },
             _ => {
                 let diagnostic = invalid(tree.span, "an action takes quantities");
                 self.report(diagnostic.help("write a number with its unit, or `random(low, high)`"));
                 None
             }
         }
+    }
+
+    /// What a sensor reads, `goal_bearing` or `command.distance`.
+    fn reading_argument(&mut self, sensor: Id<ir::Sensor>, path: &ast::Path, unit: &Unit) -> Option<ir::Argument> {
+        self.reads(path.segments.first()?, sensor);
+        let found = self.program.sensors[sensor].unit.dimension;
+        if found != unit.dimension {
+            self.report(mismatch(path.span, found, unit.dimension));
+            return None;
+        }
+        Some(ir::Argument::Reading(sensor))
     }
 
     /// An output of a sensed network, `speed` or `navigator.speed`.

@@ -14,7 +14,7 @@ impl Lower<'_> {
     pub(super) fn property(&mut self, tree: &ast::Property) {
         let Some(diagram) = self.property_diagram(tree) else { return };
         let sensors = self.program.sensors_of(self.program.diagrams[diagram].platform);
-        let scene = self.watched_scene(diagram, sensors.to_vec());
+        let scene = self.watched_scene(diagram, sensors);
         let claim = match &tree.kind {
             ast::PropertyKind::Never(condition) => ir::Claim::Never(self.condition(condition, &scene)),
             ast::PropertyKind::Always(condition) => ir::Claim::Always(self.condition(condition, &scene)),
@@ -75,7 +75,7 @@ impl Lower<'_> {
             }
         }
         let sensors = self.program.sensors_of(self.program.diagrams[id].platform);
-        let scene = self.watched_scene(id, sensors.to_vec());
+        let scene = self.watched_scene(id, sensors.clone());
         let sensor = |name: &str| sensors.iter().any(|id| self.program.sensors[*id].symbol.name == name);
         names.into_iter().all(|name| scene.names().any(|known| known == name) || sensor(name))
     }

@@ -2,22 +2,14 @@
 
 use std::collections::HashMap;
 
-use super::fusion::missing_range;
 use super::quantities::mismatch;
-use super::{Lower, claim, counted, given, invalid, missing_part, named, not_supported, symbol};
-use crate::base::{Dimension, Exact, Id, Span, Unit};
+use super::sensors::declared_name;
+use super::sensors::told;
+use super::{Lower, claim, counted, given, invalid, missing_part, named, symbol};
+use crate::base::{Dimension, Exact, Id, Span};
 use crate::diag::{self, Diagnostic};
-use crate::ir::{self, BodyCommandKind, SensorSource};
+use crate::ir::{self, BodyCommandKind};
 use crate::syntax::ast;
-
-/// The places where a differential-drive body can be measured, and what each gives.
-const SOURCES: &[(&str, SensorSource, Dimension)] = &[
-    ("wheel.left.acceleration", SensorSource::LeftWheelAcceleration, Dimension::ACCELERATION),
-    ("wheel.right.acceleration", SensorSource::RightWheelAcceleration, Dimension::ACCELERATION),
-    ("wheel.left.speed", SensorSource::LeftWheelSpeed, Dimension::SPEED),
-    ("wheel.right.speed", SensorSource::RightWheelSpeed, Dimension::SPEED),
-    ("wedge.force", SensorSource::WedgeForce, Dimension::FORCE),
-];
 
 /// The commands of a differential-drive body with the dimensions of their arguments.
 const COMMANDS: &[(&str, BodyCommandKind, &[Dimension])] = &[
@@ -25,6 +17,7 @@ const COMMANDS: &[(&str, BodyCommandKind, &[Dimension])] = &[
     ("body.velocity", BodyCommandKind::Velocity, &[Dimension::SPEED, Dimension::TURN_RATE]),
     ("body.arc", BodyCommandKind::Arc, &[Dimension::SPEED, Dimension::LENGTH]),
     ("body.rotate", BodyCommandKind::Rotate, &[Dimension::ANGLE]),
+    ("body.travel", BodyCommandKind::Travel, &[Dimension::LENGTH, Dimension::SPEED]),
 ];
 
 /// The parameters of a differential-drive body: name, dimension, number of values, default.
@@ -39,7 +32,7 @@ const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
     ("tracking_noise", Dimension::ACCELERATION, 1, Some(0.2)),
 ];
 
-impl Lower<'_> {
+impl<'a> Lower<'a> {
     pub(super) fn interface(&mut self, tree: &ast::Interface) {
         let members = self.members(&tree.items, Carrier::Interface);
         if let Some((_, span)) = members.body {
@@ -51,14 +44,19 @@ impl Lower<'_> {
         self.scopes.interfaces.insert(tree.name.span, id);
     }
 
-    pub(super) fn robot(&mut self, tree: &ast::Robot) {
+    pub(super) fn robot(&mut self, tree: &'a ast::Robot) {
         let is_body = |item: &ast::RobotItem| match item {
             ast::RobotItem::Body(_) => true,
             ast::RobotItem::Error(span) => self.unparsed.first_word(*span) == "body",
             _ => false,
         };
-        let carrier = if tree.items.iter().any(is_body) { Carrier::Body } else { Carrier::Nothing };
-        let members = self.members(&tree.items, carrier);
+        let carrier = match (tree.items.iter().any(is_body), &tree.runs) {
+            (false, _) => Carrier::Nothing,
+            (true, None) => Carrier::Body,
+            (true, Some(_)) => Carrier::Drive,
+        };
+        let mut members = self.members(&tree.items, carrier);
+        let drive = tree.runs.as_ref().map(|runs| self.drive(runs, &mut members));
         // A body that is missing where an action needs it, or that is broken, is reported once.
         let needs_body = tree.items.iter().find_map(|item| match item {
             ast::RobotItem::Action(action) => action.implementation.as_ref(),
@@ -81,12 +79,83 @@ impl Lower<'_> {
             provides: provides.into_iter().map(|(interface, _)| interface).collect(),
             body: members.body.and_then(|(body, _)| body),
             sensors: members.sensors,
+            logical: members.logical,
             actions: members.actions,
+            drive,
         };
         let id = self.program.robots.add(robot);
         self.scopes.robots.insert(tree.name.span, id);
         if is_broken {
             self.poison.robots.insert(id);
+        }
+    }
+
+    /// The behavior that carries out a robot's commands, and the sensors by which everything on the robot sees it.
+    fn drive(&mut self, runs: &ast::Name, members: &mut Members) -> ir::Drive {
+        let tree = self.find_diagram_tree(runs);
+        let modes = tree.iter().flat_map(|tree| &tree.items).filter_map(|item| match item {
+            ast::DiagramItem::Mode(mode) => Some(mode.name.text.clone()),
+            _ => None,
+        });
+        let states: Vec<_> = modes.collect();
+        let commands = members.actions.iter().map(|&id| &self.program.actions[id]).filter(|action| action.is_driven());
+        let mut parameters: Vec<ir::Parameter> = Vec::new();
+        for parameter in commands.flat_map(|action| &action.parameters) {
+            if parameters.iter().all(|known| known.symbol.name != parameter.symbol.name) {
+                parameters.push(parameter.clone());
+            }
+        }
+        let told = told(runs.span, states.len(), members.actions.len(), &parameters);
+        members.sensors.extend(told.into_iter().map(|sensor| self.program.sensors.add(sensor)));
+        let parameters = parameters.into_iter().map(|parameter| parameter.symbol.name).collect();
+        ir::Drive { diagram: None, states, parameters }
+    }
+
+    /// Finds the behaviors of robots; to be called when all diagrams have been lowered.
+    pub(super) fn drives(&mut self) {
+        for item in self.units.iter().flat_map(|unit| &unit.tree.items) {
+            if let ast::Item::Robot(ast::Robot { name, runs: Some(runs), .. }) = item
+                && let Some(&robot) = self.scopes.robots.get(&name.span)
+                && let Some(tree) = self.find_diagram_tree_silently(runs)
+            {
+                let diagram = self.scopes.diagrams.get(&tree.name.span).copied();
+                if let Some(drive) = &mut self.program.robots[robot].drive {
+                    drive.diagram = diagram;
+                }
+            }
+        }
+    }
+
+    /// Lets actions of a robot be others of its own.
+    fn aliases(&mut self, items: &[ast::RobotItem], actions: &[Id<ir::Action>]) {
+        for item in items {
+            let ast::RobotItem::Action(ast::Action { name, implementation: Some(call), .. }) = item else { continue };
+            let [other] = call.path.segments.as_slice() else { continue };
+            let own =
+                |name: &ast::Name, lower: &Self| named(&name.text, actions, |id| &lower.program.actions[id].symbol);
+            let Some(action) = own(name, self) else { continue };
+            let Some(target) = own(other, self).filter(|target| *target != action) else {
+                let known = actions.iter().map(|&id| self.program.actions[id].symbol.name.as_str());
+                self.report(self.unknown(other, "other action of this robot", known));
+                continue;
+            };
+            self.refers(other.span, self.program.actions[target].symbol.span);
+            let (wanted, parameters) =
+                (self.program.actions[target].parameters.clone(), self.program.actions[action].parameters.clone());
+            if self.program.actions[target].same_as.is_some() {
+                let diagnostic = invalid(other.span, format!("`{}` is itself another action", other.text));
+                self.report(diagnostic.help("name the action that it is"));
+                continue;
+            }
+            let names = wanted.iter().map(|parameter| &parameter.symbol);
+            let Some(order) = self.order_arguments(&call.arguments, names, call.span, "action") else { continue };
+            let arguments: Vec<_> = order
+                .into_iter()
+                .zip(&wanted)
+                .map(|(argument, wanted)| self.body_argument(argument, wanted.unit.dimension, &parameters))
+                .collect();
+            let arguments = arguments.into_iter().collect::<Option<Vec<_>>>();
+            self.program.actions[action].same_as = arguments.map(|arguments| (target, arguments));
         }
     }
 
@@ -101,8 +170,7 @@ impl Lower<'_> {
                 }
                 ast::RobotItem::Sensor(sensor) => {
                     if claim(&mut seen, &sensor.name, "sensor", &mut self.diagnostics) {
-                        let lowered = self.sensor(sensor);
-                        members.sensors.push(self.add_sensor(&sensor.name, lowered));
+                        members.sensors.extend(self.sensors(sensor));
                     }
                 }
                 ast::RobotItem::Action(action) => {
@@ -111,34 +179,30 @@ impl Lower<'_> {
                         members.actions.push(self.add_action(&action.name, lowered));
                     }
                 }
-                ast::RobotItem::Logical(logical) => {
-                    self.report(not_supported(logical.name.span, "a logical sensor"));
-                    members.sensors.push(self.add_sensor(&logical.name, None));
+                ast::RobotItem::Logical(_) | ast::RobotItem::Error(_) => {}
+            }
+        }
+        if matches!(carrier, Carrier::Body | Carrier::Drive) {
+            self.aliases(items, &members.actions);
+        }
+        let groups = items.iter().filter_map(|item| match item {
+            ast::RobotItem::Logical(logical) => Some(logical),
+            _ => None,
+        });
+        let names = groups.clone().map(|group| group.name.text.as_str());
+        let names: Vec<_> = names.filter(|name| !seen.contains_key(*name)).collect();
+        for group in groups {
+            if !claim(&mut seen, &group.name, "sensor", &mut self.diagnostics) {
+                continue;
+            }
+            match carrier {
+                Carrier::Interface => members.sensors.push(self.logical_in_interface(group)),
+                Carrier::Body | Carrier::Drive | Carrier::Nothing => {
+                    members.logical.push(self.logical(group, &members.sensors, &names));
                 }
-                ast::RobotItem::Error(_) => {}
             }
         }
         members
-    }
-
-    /// Adds a sensor; a broken one as poison, so that what names it is not reported too.
-    fn add_sensor(&mut self, name: &ast::Name, sensor: Option<ir::Sensor>) -> Id<ir::Sensor> {
-        let broken = sensor.is_none();
-        let id = self.program.sensors.add(sensor.unwrap_or_else(|| ir::Sensor {
-            symbol: symbol(name, None),
-            optional: true,
-            unit: Unit::one(),
-            range: (Exact::ZERO, Exact::ONE),
-            fails: Vec::new(),
-            source: None,
-            noise: 0.0,
-            accuracy: 0.0,
-            period: 0,
-        }));
-        if broken {
-            self.poison.sensors.insert(id);
-        }
-        id
     }
 
     /// Adds an action; a broken one as poison.
@@ -149,75 +213,12 @@ impl Lower<'_> {
             parameters: Vec::new(),
             reports_done: true,
             command: None,
+            same_as: None,
         }));
         if broken {
             self.poison.actions.insert(id);
         }
         id
-    }
-
-    fn sensor(&mut self, tree: &ast::Sensor) -> Option<ir::Sensor> {
-        if let Some(count) = &tree.count {
-            self.report(not_supported(count.span, "an array of sensors"));
-            return None;
-        }
-        let (unit, range) = match &tree.kind {
-            ast::SensorKind::Contact(span) => {
-                self.report(not_supported(*span, "a contact sensor"));
-                return None;
-            }
-            ast::SensorKind::Quantity { unit, range } => (self.unit(unit)?, range),
-        };
-        let Some(range) = range else {
-            self.report(missing_range(&tree.name, "sensor", &unit));
-            return None;
-        };
-        let range = self.range_in(range, &unit)?;
-        let mut sensor = ir::Sensor {
-            symbol: symbol(&tree.name, tree.doc.as_ref()),
-            optional: tree.optional,
-            unit: unit.clone(),
-            range,
-            fails: Vec::new(),
-            source: None,
-            noise: 0.0,
-            accuracy: 0.0,
-            period: 0,
-        };
-        for clause in &tree.clauses {
-            match clause {
-                ast::SensorClause::Fails(readings) => {
-                    sensor.fails.extend(self.fail_readings(readings, &unit, range));
-                }
-                ast::SensorClause::Source(path) => sensor.source = self.source(path, &unit),
-                ast::SensorClause::Noise(noise) => sensor.noise = self.spread(noise, &unit, "noise")?,
-                ast::SensorClause::Accuracy(accuracy) => sensor.accuracy = self.spread(accuracy, &unit, "accuracy")?,
-                ast::SensorClause::Period(period) => sensor.period = self.nanoseconds(period)?,
-            }
-        }
-        Some(sensor)
-    }
-
-    fn spread(&mut self, quantity: &ast::Quantity, unit: &Unit, what: &str) -> Option<f64> {
-        let value = self.quantity_in(quantity, unit)?;
-        if value < Exact::ZERO {
-            self.report(invalid(quantity.span, format!("{what} cannot be negative")));
-            return None;
-        }
-        Some(value.to_f64())
-    }
-
-    fn source(&mut self, path: &ast::Path, unit: &Unit) -> Option<SensorSource> {
-        let name = join(path);
-        let Some(&(_, source, dimension)) = SOURCES.iter().find(|(known, ..)| *known == name) else {
-            self.report(unknown_path(path, &name, "a body measures no", SOURCES.iter().map(|(known, ..)| *known)));
-            return None;
-        };
-        if dimension != unit.dimension {
-            self.report(mismatch(path.span, dimension, unit.dimension));
-            return None;
-        }
-        Some(source)
     }
 
     fn action(&mut self, tree: &ast::Action, carrier: Carrier) -> Option<ir::Action> {
@@ -228,8 +229,10 @@ impl Lower<'_> {
             parameters.push(ir::Parameter { symbol: symbol(&parameter.name, None), unit: self.unit(&parameter.unit)? });
         }
         let command = match &tree.implementation {
+            // Another action of the robot, found when all of them are known.
+            Some(call) if call.path.segments.len() == 1 && carrier != Carrier::Interface => None,
             Some(call) => match carrier {
-                Carrier::Body => self.command(call, &parameters, tree.done),
+                Carrier::Body | Carrier::Drive => self.command(call, &parameters, tree.done),
                 Carrier::Nothing => None,
                 Carrier::Interface => {
                     let diagnostic = missing_part(call.span, "there is no body that could carry this out");
@@ -248,7 +251,9 @@ impl Lower<'_> {
             }
         };
         let symbol = symbol(&tree.name, tree.doc.as_ref());
-        Some(ir::Action { symbol, parameters, reports_done: tree.done.is_some(), command })
+        let same_as = tree.implementation.as_ref().filter(|call| call.path.segments.len() == 1);
+        let same_as = same_as.filter(|_| carrier != Carrier::Interface).map(|_| (Id::new(0), Vec::new()));
+        Some(ir::Action { symbol, parameters, reports_done: tree.done.is_some(), command, same_as })
     }
 
     fn command(
@@ -267,9 +272,10 @@ impl Lower<'_> {
             ));
             return None;
         };
-        if let (Some(done), true) = (done, kind != BodyCommandKind::Rotate) {
+        if let (Some(done), false) = (done, matches!(kind, BodyCommandKind::Rotate | BodyCommandKind::Travel)) {
             let message = format!("`{name}` never reports completion");
-            self.report(invalid(done, message).help("leave out `-> done`; only `body.rotate` comes to an end"));
+            let help = "leave out `-> done`; only `body.rotate` and `body.travel` come to an end";
+            self.report(invalid(done, message).help(help));
         }
         if call.arguments.len() != wanted.len() {
             let message =
@@ -293,6 +299,13 @@ impl Lower<'_> {
         parameters: &[ir::Parameter],
     ) -> Option<ir::BodyArgument> {
         match &argument.value.kind {
+            ast::ExprKind::Negate(value) if matches!(value.kind, ast::ExprKind::Path(_)) => {
+                let argument = ast::Argument { name: None, value: (**value).clone() };
+                match self.body_argument(&argument, wanted, parameters)? {
+                    ir::BodyArgument::Parameter(parameter) => Some(ir::BodyArgument::Negated(parameter)),
+                    other => Some(other),
+                }
+            }
             ast::ExprKind::Quantity(quantity) => {
                 Some(ir::BodyArgument::Constant(self.quantity_of(quantity, wanted, None)?.to_f64()))
             }
@@ -415,22 +428,30 @@ impl Lower<'_> {
         }
         for &sensor in &promised.sensors {
             let wanted = &sensors[sensor];
-            let kept = named(&wanted.symbol.name, &members.sensors, |id| &sensors[id].symbol);
-            names.extend(kept.map(|id| (sensors[id].symbol.span, wanted.symbol.span)));
+            let declared = declared_name(&wanted.symbol.name);
             let poisoned = |id| self.poison.sensors.contains(&id);
+            let kept = [&members.sensors, &members.logical];
+            let kept = |name: &str| kept.iter().find_map(|ids| named(name, ids, |id| &sensors[id].symbol));
+            // A broken array is one sensor of its name.
+            let kept = kept(&wanted.symbol.name).or_else(|| kept(declared).filter(|id| poisoned(*id)));
+            names.extend(kept.map(|id| (sensors[id].symbol.span, wanted.symbol.span)));
             let fits = |id: Id<ir::Sensor>| {
                 let kept = &sensors[id];
                 let same = kept.unit.dimension == wanted.unit.dimension
+                    && kept.is_contact == wanted.is_contact
                     && kept.range.0 >= wanted.range.0
                     && kept.range.1 <= wanted.range.1
                     && (wanted.optional || !kept.optional);
                 same || poisoned(id) || poisoned(sensor)
             };
-            let is_lost = kept.is_none() && self.unparsed.may_declare(&wanted.symbol.name);
+            let is_lost = kept.is_none() && (poisoned(sensor) || self.unparsed.may_declare(declared));
             if !kept.is_some_and(fits) && !is_lost {
                 broken.push((&wanted.symbol, "sensor", kept.map(|kept| sensors[kept].symbol.span)));
             }
         }
+        // Of an array the first element speaks for all.
+        broken.dedup_by_key(|(promised, ..)| promised.span);
+        names.dedup();
         let diagnostics: Vec<_> = broken
             .into_iter()
             .map(|(symbol, what, kept)| {
@@ -455,6 +476,8 @@ impl Lower<'_> {
 enum Carrier {
     /// The robot's body.
     Body,
+    /// The robot's body, and a behavior of the robot's.
+    Drive,
     /// A robot without a body: its actions are the user's to write.
     Nothing,
     /// The robots that provide the interface.
@@ -465,6 +488,7 @@ enum Carrier {
 struct Members {
     body: Option<(Option<ir::Body>, Span)>,
     sensors: Vec<Id<ir::Sensor>>,
+    logical: Vec<Id<ir::Sensor>>,
     actions: Vec<Id<ir::Action>>,
 }
 
@@ -474,11 +498,11 @@ fn missing_body(robot: &ast::Name, needed: Span) -> Diagnostic {
         .help("write `body differential_drive { mass 20 kg  size (0.5 m, 0.4 m)  track 0.35 m  traction 0.6 }`")
 }
 
-fn join(path: &ast::Path) -> String {
+pub(super) fn join(path: &ast::Path) -> String {
     path.segments.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join(".")
 }
 
-fn unknown_path<'s>(
+pub(super) fn unknown_path<'s>(
     path: &ast::Path,
     name: &str,
     what: &str,

@@ -41,7 +41,7 @@ impl<'a> Lower<'a> {
                     .help(format!("write `scenario {} runs obstacle_manipulation`", tree.name.text)),
             );
         };
-        let diagram = self.find_diagram(runs);
+        let diagram = self.find_runnable(runs);
         let on = parts.on.map(|on| (on, self.find_robot(on)));
         let world = parts.within.map(|world| self.find_world(world));
         let Some(diagram) = diagram else { return };
@@ -80,7 +80,7 @@ impl<'a> Lower<'a> {
             let lowered = self.box_body(tree, boxes.len());
             boxes.extend(lowered);
         }
-        let faults = parts.faults.iter().filter_map(|fault| self.fault(fault, robot)).collect();
+        let faults = parts.faults.iter().filter_map(|fault| self.faults(fault, robot)).flatten().collect();
         let mut expectations = self.expectations(&parts.expectations, diagram, robot);
         expectations.extend(self.monitored(tree.name.span.file, diagram));
         // What was wrong has been reported; a scenario with a gap is not run.
@@ -204,7 +204,8 @@ impl<'a> Lower<'a> {
         }
     }
 
-    fn fault(&mut self, tree: &ast::ScenarioItem, robot: Id<ir::Robot>) -> Option<ir::Fault> {
+    /// A fault of every sensor that it names.
+    fn faults(&mut self, tree: &ast::ScenarioItem, robot: Id<ir::Robot>) -> Option<Vec<ir::Fault>> {
         let (reference, reading, window_tree, span) = match tree {
             ast::ScenarioItem::Fault { sensor, reading, window, span } => (sensor, Some(reading), window, *span),
             ast::ScenarioItem::Fail { sensor, window, span } => (sensor, None, window, *span),
@@ -214,21 +215,29 @@ impl<'a> Lower<'a> {
             self.report(not_supported(reference.path.span, "a sensor of a team's robot"));
             return None;
         };
-        if let Some(index) = reference.indices.first() {
-            self.report(not_supported(index.first.span, "an element of an array of sensors"));
-            return None;
-        }
-        let sensors = self.program.robots[robot].sensors.clone();
-        let sensor = self.sensor_named(name, &sensors)?;
+        let sensors = self.program.robots[robot].all_sensors();
+        let meant = match reference.indices.as_slice() {
+            [] => self.measuring_named(name, &sensors),
+            indices => self.indexed(name, indices, &sensors),
+        };
+        let meant = meant.filter(|meant| !meant.is_empty())?;
+        let ir::Sensor { unit, is_contact, .. } = self.program.sensors[meant[0]].clone();
         let reading = match reading {
             None => ir::FaultReading::Reported,
             Some(ast::FailReading::Any(_)) => ir::FaultReading::StuckSomewhere,
-            Some(ast::FailReading::Value(quantity)) => {
-                let unit = self.program.sensors[sensor].unit.clone();
+            Some(ast::FailReading::Set(_)) if is_contact => ir::FaultReading::Stuck(1.0),
+            Some(ast::FailReading::Clear(_)) if is_contact => ir::FaultReading::Stuck(0.0),
+            Some(ast::FailReading::Value(quantity)) if !is_contact => {
                 ir::FaultReading::Stuck(self.quantity_in(quantity, &unit)?.to_f64())
             }
-            Some(ast::FailReading::Absent(span) | ast::FailReading::Set(span) | ast::FailReading::Clear(span)) => {
-                let diagnostic = super::invalid(*span, "a faulty sensor reads a quantity, or `any`");
+            Some(
+                ast::FailReading::Absent(span)
+                | ast::FailReading::Set(span)
+                | ast::FailReading::Clear(span)
+                | ast::FailReading::Value(ast::Quantity { span, .. }),
+            ) => {
+                let reads = if is_contact { "`set`, `clear`" } else { "a quantity" };
+                let diagnostic = super::invalid(*span, format!("a faulty sensor reads {reads}, or `any`"));
                 self.report(diagnostic.help("write `fail` for a sensor that is known to give nothing"));
                 return None;
             }
@@ -242,7 +251,7 @@ impl<'a> Lower<'a> {
             self.report(empty_range(span));
             return None;
         }
-        Some(ir::Fault { sensor, reading, window, span })
+        Some(meant.into_iter().map(|sensor| ir::Fault { sensor, reading, window, span }).collect())
     }
 
     fn expectations(
@@ -251,7 +260,7 @@ impl<'a> Lower<'a> {
         diagram: Id<ir::Diagram>,
         robot: Id<ir::Robot>,
     ) -> Vec<ir::Expectation> {
-        let sensors = self.program.robots[robot].sensors.clone();
+        let sensors = self.program.robots[robot].all_sensors();
         let scene = self.watched_scene(diagram, sensors);
         let place = |id: Id<ir::Mode>| (id, scene.mode_places[id.index()]);
         let modes: Modes<'_> = scene.modes.iter().map(|(name, &id)| (name.as_str(), place(id))).collect();

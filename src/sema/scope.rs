@@ -25,6 +25,7 @@ pub(super) enum Declared<'a> {
     Interface(&'a ast::Interface),
     Robot(&'a ast::Robot),
     Diagram(&'a ast::Diagram),
+    Arbiter(&'a ast::Arbiter),
     World(&'a ast::World),
     Scenario(&'a ast::Scenario),
     Property(&'a ast::Property),
@@ -44,6 +45,7 @@ impl Declared<'_> {
                 ast::Layer::Activity => "activity",
                 ast::Layer::Goal => "goal",
             },
+            Self::Arbiter(_) => "arbiter",
             Self::World(_) => "world",
             Self::Scenario(_) => "scenario",
             Self::Property(_) => "property",
@@ -141,7 +143,7 @@ fn own_names<'a>(tree: &'a ast::File, diagnostics: &mut Vec<Diagnostic>) -> Hash
             ast::Item::Diagram(item) => (&item.name, Declared::Diagram(item)),
             ast::Item::World(item) => (&item.name, Declared::World(item)),
             ast::Item::Scenario(item) => (&item.name, Declared::Scenario(item)),
-            ast::Item::Arbiter(item) => (&item.name, Declared::Later("arbiter")),
+            ast::Item::Arbiter(item) => (&item.name, Declared::Arbiter(item)),
             ast::Item::Team(item) => (&item.name, Declared::Later("team")),
             ast::Item::Property(item) => (&item.name, Declared::Property(item)),
             ast::Item::Import(_) | ast::Item::Error(_) => continue,
@@ -357,9 +359,29 @@ impl<'a> Lower<'a> {
         }
     }
 
+    /// The tree of a diagram without a report.
+    pub(super) fn find_diagram_tree_silently(&self, name: &ast::Name) -> Option<&'a ast::Diagram> {
+        match self.scopes.files.get(&name.span.file)?.get(name.text.as_str())?.declared {
+            Declared::Diagram(diagram) => Some(diagram),
+            _ => None,
+        }
+    }
+
     pub(super) fn find_diagram(&mut self, name: &ast::Name) -> Option<Id<ir::Diagram>> {
         let diagram = self.find_diagram_tree(name)?;
         self.scopes.diagrams.get(&diagram.name.span).copied()
+    }
+
+    /// What a scenario can run: a diagram, or an arbiter.
+    pub(super) fn find_runnable(&mut self, name: &ast::Name) -> Option<Id<ir::Diagram>> {
+        match self.look_up(name, "behavior")? {
+            Declared::Diagram(diagram) => self.scopes.diagrams.get(&diagram.name.span).copied(),
+            Declared::Arbiter(arbiter) => self.scopes.diagrams.get(&arbiter.name.span).copied(),
+            other => {
+                self.wrong_kind(name, other, "behavior or an arbiter");
+                None
+            }
+        }
     }
 
     /// The tree of a scenario, for those that extend it.

@@ -5,6 +5,7 @@
 
 use super::Lower;
 use super::diagrams::sense_name;
+use super::sensors::declared_name;
 use crate::base::{Id, Sources};
 use crate::diag::{Diagnostic, Edit, Fix, rules};
 use crate::ir::{self, FailReading, Platform};
@@ -81,17 +82,26 @@ impl Lower<'_> {
     fn unused_sensors(&self, id: Id<ir::Robot>, robot: &ir::Robot, found: &mut Vec<Diagnostic>) {
         let file = robot.symbol.span.file;
         let diagrams = self.program.diagrams.values();
+        // What the robot itself runs is part of it.
+        let drive =
+            robot.drive.as_ref().and_then(|drive| drive.diagram).map(|drive| &self.program.diagrams[drive].symbol);
         let runs = diagrams.filter(|diagram| diagram.platform == Platform::Robot(id)).map(|diagram| &diagram.symbol);
+        let runs = runs.filter(|symbol| Some(*symbol) != drive);
         let scenarios = self.program.scenarios.values();
         let tries = scenarios.filter(|scenario| scenario.robot == id).map(|scenario| &scenario.symbol);
         if !runs.chain(tries).any(|symbol| symbol.span.file == file) {
             return;
         }
         let promised = robot.provides.iter().flat_map(|&interface| &self.program.interfaces[interface].sensors);
-        let promised: Vec<_> = promised.map(|&sensor| &self.program.sensors[sensor].symbol.name).collect();
-        let sensors = robot.sensors.iter().map(|&sensor| &self.program.sensors[sensor].symbol);
-        let unread = sensors.filter(|sensor| !self.is_read(sensor) && !promised.contains(&&sensor.name));
-        found.extend(unread.map(unused_sensor));
+        let promised: Vec<_> =
+            promised.map(|&sensor| declared_name(&self.program.sensors[sensor].symbol.name)).collect();
+        let sensors = robot.all_sensors();
+        let sensors = sensors.iter().map(|&sensor| &self.program.sensors[sensor]).filter(|sensor| !sensor.is_inner());
+        let symbols = sensors.map(|sensor| &sensor.symbol);
+        let unread = symbols.filter(|symbol| !self.is_read(symbol) && !promised.contains(&declared_name(&symbol.name)));
+        let mut unread: Vec<_> = unread.collect();
+        unread.dedup_by_key(|symbol| symbol.span);
+        found.extend(unread.into_iter().map(unused_sensor));
     }
 }
 
@@ -142,7 +152,8 @@ fn unused_output_term(term: &ir::Symbol, output: &str) -> Diagnostic {
 }
 
 fn unused_sensor(sensor: &ir::Symbol) -> Diagnostic {
-    Diagnostic::new(&rules::UNUSED_SENSOR, sensor.span, format!("nothing reads the sensor `{}`", sensor.name))
+    let name = declared_name(&sensor.name);
+    Diagnostic::new(&rules::UNUSED_SENSOR, sensor.span, format!("nothing reads the sensor `{name}`"))
         .here("never read")
         .help("read it in a condition or feed it to a network, or remove it")
 }

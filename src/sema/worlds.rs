@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Lower, claim, not_supported, symbol};
+use super::{Lower, claim, symbol};
 use crate::base::{Dimension, Exact};
 use crate::ir;
 use crate::syntax::ast;
@@ -12,11 +12,13 @@ impl Lower<'_> {
         let mut world = ir::World { symbol: symbol(&tree.name, tree.doc.as_ref()), ..ir::World::default() };
         let mut goal = None;
         let mut boxes = HashMap::new();
+        let (mut doors, mut has_all_walls) = (Vec::new(), true);
         for item in &tree.items {
             match item {
                 ast::WorldItem::Wall { points, span } => {
                     let corners: Vec<_> = points.iter().map(|point| self.point(point)).collect();
                     let corners = corners.into_iter().collect::<Option<_>>();
+                    has_all_walls &= corners.is_some();
                     world.walls.extend(corners.map(|corners| ir::Wall { corners, span: *span }));
                 }
                 ast::WorldItem::Box(item) => {
@@ -30,8 +32,16 @@ impl Lower<'_> {
                     let lowered = self.point(point);
                     self.once(&mut goal, lowered, point.span, "the goal");
                 }
-                ast::WorldItem::Door { span, .. } => self.report(not_supported(*span, "a door")),
-                ast::WorldItem::Error(_) => {}
+                ast::WorldItem::Door { at, width, heading, open, span } => {
+                    doors.extend(self.door(at, width, heading.as_ref(), *open, *span));
+                }
+                ast::WorldItem::Error(_) => has_all_walls = false,
+            }
+        }
+        // A wall that is missing was reported, and may be a door's.
+        if has_all_walls {
+            for door in &doors {
+                self.hang(door, &mut world.walls);
             }
         }
         world.goal = goal.and_then(|(goal, _)| goal);
@@ -80,7 +90,7 @@ impl Lower<'_> {
         }
     }
 
-    fn point(&mut self, point: &ast::Point) -> Option<[f64; 2]> {
+    pub(super) fn point(&mut self, point: &ast::Point) -> Option<[f64; 2]> {
         let x = self.quantity_of(&point.x, Dimension::LENGTH, None);
         let y = self.quantity_of(&point.y, Dimension::LENGTH, None);
         Some([x?.to_f64(), y?.to_f64()])

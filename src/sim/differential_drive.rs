@@ -6,7 +6,7 @@
 //! speed drops by v dm / (M + m), spread over the impact time.
 
 use super::random::{Purpose, Stream};
-use super::world::{Load, World};
+use super::world::{Load, Moved, World};
 use crate::ir;
 
 /// Standard gravity, m/s².
@@ -16,6 +16,8 @@ const TURN_RATE: f64 = std::f64::consts::FRAC_PI_4;
 /// A turn is complete within this of its angle, rad, and when what it would still coast is below it too: together
 /// below half a degree.
 const TURN_TOLERANCE: f64 = 0.2 * std::f64::consts::PI / 180.0;
+/// A stretch of travel is complete within this of its end, m, and when what it would still coast is below it too.
+const TRAVEL_TOLERANCE: f64 = 0.002;
 /// How long a disturbance of tracking lasts, s.
 const DISTURBANCE_TIME: f64 = 0.02;
 /// Speeds up to this are lost at once when the way is blocked, m/s; faster ones over the impact time.
@@ -35,6 +37,13 @@ pub(super) enum Command {
     },
     /// Turn in place by an angle in rad, to the left.
     Rotate(f64),
+    /// Drive straight on.
+    Travel {
+        /// m, above 0, or 0 to go on and on.
+        distance: f64,
+        /// m/s, forward.
+        speed: f64,
+    },
 }
 
 /// A differential-drive body in motion. Wheels are left and right.
@@ -42,8 +51,8 @@ pub(super) enum Command {
 pub(super) struct DifferentialDrive<'a> {
     parameters: &'a ir::DifferentialDrive,
     command: Command,
-    /// rad turned since the turn in place began.
-    turned: f64,
+    /// rad turned or m driven in the direction of the command, since it was given.
+    progress: f64,
     done: bool,
     /// m/s over ground.
     speeds: [f64; 2],
@@ -66,7 +75,7 @@ impl<'a> DifferentialDrive<'a> {
         Self {
             parameters,
             command: Command::Stop,
-            turned: 0.0,
+            progress: 0.0,
             done: false,
             speeds: [0.0; 2],
             accelerations: [0.0; 2],
@@ -79,10 +88,10 @@ impl<'a> DifferentialDrive<'a> {
         }
     }
 
-    /// Takes a command. A turn in place that is under way goes on, unless `start` or its angle says it is another.
+    /// Takes a command. What is under way goes on, unless `start` or another angle or distance says it is another.
     pub(super) fn command(&mut self, command: Command, start: bool) {
         if start || command != self.command {
-            self.turned = 0.0;
+            self.progress = 0.0;
             self.done = false;
         }
         self.command = command;
@@ -93,7 +102,7 @@ impl<'a> DifferentialDrive<'a> {
         self.done = false;
     }
 
-    /// Whether the command has been completed; only turns in place ever are.
+    /// Whether the command has been completed; only turns in place and travels of some length ever are.
     pub(super) fn done(&self) -> bool {
         self.done
     }
@@ -152,7 +161,7 @@ impl<'a> DifferentialDrive<'a> {
             let half = (right - left) / 2.0;
             self.lose([-half, half]);
         }
-        self.progress(moved.turned);
+        self.make_progress(&moved);
     }
 
     /// The way it drives: 1, -1, or 0 for a body that neither drives nor is told to.
@@ -170,13 +179,21 @@ impl<'a> DifferentialDrive<'a> {
         let (speed, turn_rate) = match self.command {
             Command::Stop => (0.0, 0.0),
             Command::Velocity { speed, turn_rate } => (speed, turn_rate),
-            Command::Rotate(_) if self.done => (0.0, 0.0),
+            Command::Rotate(_) | Command::Travel { .. } if self.done => (0.0, 0.0),
             Command::Rotate(angle) => {
                 let ir::DifferentialDrive { lag, acceleration_limit, track, .. } = *self.parameters;
                 // Through the lag, a rate of 1/(4 lag) for each rad that is left is the fastest without overshoot;
                 // the acceleration limit may ask for a longer slope.
                 let slope = (0.25 / lag).min(acceleration_limit / (track * TURN_RATE));
-                (0.0, ((angle - self.turned) * slope).clamp(-TURN_RATE, TURN_RATE))
+                (0.0, ((angle - self.progress) * slope).clamp(-TURN_RATE, TURN_RATE))
+            }
+            Command::Travel { distance: 0.0, speed } => (speed, 0.0),
+            Command::Travel { distance, speed } => {
+                let ir::DifferentialDrive { lag, acceleration_limit, .. } = *self.parameters;
+                let left = distance - self.progress;
+                // The same through the lag; half the limit leaves the lag room to follow.
+                let fastest = (0.25 / lag * left.abs()).min((acceleration_limit * left.abs()).sqrt());
+                (speed.abs().min(fastest) * left.signum() * speed.signum(), 0.0)
             }
         };
         let across = turn_rate * self.parameters.track / 2.0;
@@ -254,15 +271,20 @@ impl<'a> DifferentialDrive<'a> {
         }
     }
 
-    /// Counts what a turn in place has turned, and whether that completes it.
-    fn progress(&mut self, turned: f64) {
-        if let Command::Rotate(angle) = self.command
-            && !self.done
-        {
-            self.turned += turned;
-            let [left, right] = self.speeds;
-            let coast = (right - left) / self.parameters.track * self.parameters.lag;
-            self.done = (angle - self.turned).abs() <= TURN_TOLERANCE && coast.abs() <= TURN_TOLERANCE;
+    /// Counts what a turn in place has turned or a travel has driven, and whether that completes it.
+    fn make_progress(&mut self, moved: &Moved) {
+        let [left, right] = self.speeds;
+        let (end, step, rate, tolerance) = match self.command {
+            Command::Rotate(angle) => (angle, moved.turned, (right - left) / self.parameters.track, TURN_TOLERANCE),
+            Command::Travel { distance, speed } if distance != 0.0 => {
+                (distance, moved.drove * speed.signum(), mean(self.speeds), TRAVEL_TOLERANCE)
+            }
+            Command::Stop | Command::Velocity { .. } | Command::Travel { .. } => return,
+        };
+        if !self.done {
+            self.progress += step;
+            let coast = rate * self.parameters.lag;
+            self.done = (end - self.progress).abs() <= tolerance && coast.abs() <= tolerance;
         }
     }
 }
@@ -299,11 +321,17 @@ mod tests {
     use super::*;
     use crate::sim::fixture::J5;
     use crate::sim::geometry::Rectangle;
+    use crate::sim::walls::Walls;
 
     const QUIET: ir::DifferentialDrive = ir::DifferentialDrive { tracking_noise: 0.0, ..J5 };
 
     fn world() -> World {
-        World::new(Rectangle::new(Vector2::zeros(), 0.0, J5.length, J5.width), 0.0)
+        world_with(&[])
+    }
+
+    fn world_with(walls: &[[Vector2<f64>; 2]]) -> World {
+        let robot = Rectangle::new(Vector2::zeros(), 0.0, J5.length, J5.width);
+        World::new(robot, 0.0, Walls::new(walls.iter().copied()))
     }
 
     /// Ticks of 10 ms in steps of 1 ms; what `seen` says after each.
@@ -359,8 +387,8 @@ mod tests {
 
     #[test]
     fn a_wall_stops_the_body_and_takes_all_the_wheels_can_give() {
-        let (mut world, mut body) = (world(), DifferentialDrive::new(&QUIET, 1));
-        world.add_wall(Rectangle::line(Vector2::new(1.0, -1.0), Vector2::new(1.0, 1.0)));
+        let mut world = world_with(&[[Vector2::new(1.0, -1.0), Vector2::new(1.0, 1.0)]]);
+        let mut body = DifferentialDrive::new(&QUIET, 1);
         body.command(Command::Velocity { speed: 0.26, turn_rate: 0.0 }, true);
         ticks(&mut body, &mut world, 400, |_| ());
         assert_eq!(body.wedge_force(), 0.4 * GRAVITY * 59.0);
@@ -393,6 +421,43 @@ mod tests {
                 assert!((world.heading().to_degrees() - degrees).abs() < 0.5, "{}", world.heading().to_degrees());
             }
         }
+    }
+
+    #[test]
+    fn travels_end_within_half_a_centimetre_and_say_so() {
+        for (seed, (distance, speed)) in [(1.0, 0.26), (0.5, -0.4), (0.01, 1.0), (3.0, 2.0)].into_iter().enumerate() {
+            for parameters in [QUIET, J5] {
+                let (mut world, mut body) = (world(), DifferentialDrive::new(&parameters, seed as u64));
+                let command = Command::Travel { distance, speed };
+                body.command(command, true);
+                let mut count = 0;
+                while !body.done() {
+                    body.advance(&mut world, 0.01, 10);
+                    body.command(command, false);
+                    count += 1;
+                    assert!(count < 2000, "{distance}");
+                }
+                // Not faster than the speed allows, and not much slower.
+                let seconds = f64::from(count) / 100.0;
+                assert!((distance / speed.abs()..distance / speed.abs() + 6.0).contains(&seconds), "{seconds}");
+                ticks(&mut body, &mut world, 100, |_| ());
+                let off = world.robot().middle().norm() - distance;
+                assert!(off.abs() < 0.005 && world.robot().middle().x * speed > 0.0, "{off}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_travel_of_no_length_goes_on_and_one_that_is_blocked_is_not_done() {
+        let mut body = DifferentialDrive::new(&QUIET, 1);
+        body.command(Command::Travel { distance: 0.0, speed: 0.3 }, true);
+        let mut world = world();
+        let done = ticks(&mut body, &mut world, 6000, |body| body.done);
+        assert!(!done.contains(&true) && world.robot().middle().x > 17.9);
+        let mut world = world_with(&[[Vector2::new(1.0, -1.0), Vector2::new(1.0, 1.0)]]);
+        let mut body = DifferentialDrive::new(&QUIET, 1);
+        body.command(Command::Travel { distance: 1.0, speed: 0.3 }, true);
+        assert!(!ticks(&mut body, &mut world, 2000, |body| body.done).contains(&true));
     }
 
     #[test]

@@ -52,12 +52,15 @@ pub(super) fn program(body: ir::DifferentialDrive) -> ir::Program {
             symbol: symbol(name),
             optional: true,
             unit,
+            is_contact: false,
+            group: None,
             range: (whole(low), whole(high)),
             fails: Vec::new(),
             source: Some(source),
             noise: 0.0,
             accuracy: 0.0,
             period: 0,
+            beam: 0.0,
         })
     });
     let parameter = BodyArgument::Parameter;
@@ -73,6 +76,7 @@ pub(super) fn program(body: ir::DifferentialDrive) -> ir::Program {
             parameters: Vec::new(),
             reports_done: kind == BodyCommandKind::Rotate,
             command: Some(ir::BodyCommand { kind, arguments }),
+            same_as: None,
         })
     });
     program.robots.add(ir::Robot {
@@ -80,7 +84,9 @@ pub(super) fn program(body: ir::DifferentialDrive) -> ir::Program {
         provides: Vec::new(),
         body: Some(ir::Body::DifferentialDrive(body)),
         sensors: sensors.to_vec(),
+        logical: Vec::new(),
         actions: actions.to_vec(),
+        drive: None,
     });
     program
 }
@@ -161,6 +167,7 @@ pub(super) fn plan() -> Plan {
             origin: Origin::default(),
             transitions: first..transitions.len() as u32,
             actions: index..index + 1,
+            rows: 0..0,
             on_enter: 0..0,
             on_exit: 0..0,
             draws: if *name == "random_turn" { 0..1 } else { 0..0 },
@@ -186,6 +193,7 @@ pub(super) fn plan() -> Plan {
             input("right_acceleration", acceleration(), -4.0, 4.0),
             input("contact_force", unit("N"), 0.0, 400.0),
         ],
+        logical: Vec::new(),
         actions: Vec::new(),
         code: plan::Code { steps, reals: 9, bools: 4, ..plan::Code::default() },
         fuse,
@@ -205,11 +213,14 @@ pub(super) fn plan() -> Plan {
         watched: vec![3, 1],
         modes,
         transitions,
+        rows: Vec::new(),
         calls,
         arguments: vec![SPEED, 4, 5, 8],
         draws: vec![plan::Draw { low: -2.0, high: 2.0, to: 8 }],
         required: Vec::new(),
         constants,
         entry: 0,
+        arbiter: None,
+        drive: None,
     }
 }

@@ -86,6 +86,14 @@ pub(super) fn contact(first: &Rectangle, second: &Rectangle, margin: f64) -> Opt
     Some(least)
 }
 
+/// A lower bound of the distance between two rectangles, m: how far the axes along their edges hold them apart; below 0
+/// where they overlap.
+pub(super) fn gap(first: &Rectangle, second: &Rectangle) -> f64 {
+    let between = second.middle() - first.middle();
+    let apart = |axis| between.dot(&axis).abs() - first.reach(axis) - second.reach(axis);
+    [second.left(), second.ahead(), first.ahead(), first.left()].map(apart).into_iter().fold(f64::MIN, f64::max)
+}
+
 /// How far `second` must move along the unit vector `way` to leave `first`, m; 0 where they do not overlap.
 pub(super) fn way_out(first: &Rectangle, second: &Rectangle, way: Vector2<f64>) -> f64 {
     let between = second.middle() - first.middle();

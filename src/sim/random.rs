@@ -15,6 +15,8 @@ pub(super) enum Purpose {
     Tracking = 3,
     /// The readings of faulty sensors.
     Faults = 4,
+    /// What the robot's own behavior draws.
+    Drive = 5,
 }
 
 /// A stream of random numbers. The same seed and purpose give the same numbers on every machine.

@@ -1,11 +1,13 @@
 //! Writes down what happens in a run, tick by tick.
 
+use std::collections::BTreeSet;
+
 use super::world::World;
 use crate::base::Unit;
-use crate::interp::{Machine, Reading, Taken};
+use crate::interp::{Machine, Proposal, Reading, Taken};
 use crate::ir;
 use crate::plan::{self, Plan};
-use crate::trace::{Column, Evidence, Footprint, ModeChange, Signal, Trace};
+use crate::trace::{Column, Evidence, Footprint, LogEntry, ModeChange, Signal, Trace};
 
 /// A trace being written.
 #[derive(Debug)]
@@ -18,7 +20,16 @@ pub(super) struct Recorder<'a> {
     decided: Vec<Decided>,
     /// The mode that acted on the tick before.
     mode: Option<u32>,
+    /// What was last said of each client of an arbiter, and last of its emergencies.
+    said: Vec<String>,
+    /// The places at which range sensors met something, in [`GRAIN`]s.
+    hits: BTreeSet<(i32, i32)>,
 }
+
+/// How fine hits are told apart, m.
+const GRAIN: f64 = 0.05;
+/// The most places of hits that are recorded.
+const MOST_HITS: usize = 20_000;
 
 /// For each contributor rule and each detractor rule of an event, whether it gave its side its strength on some tick.
 pub(super) type Decided = (Vec<bool>, Vec<bool>);
@@ -40,6 +51,9 @@ impl<'a> Recorder<'a> {
         let mut columns = Vec::new();
         for (index, input) in (0..).zip(&plan.inputs) {
             columns.push(column(input.name.clone(), input.unit.dimension.si_unit(), Signal::Reading(index)));
+        }
+        for (index, logical) in (0..).zip(&plan.logical) {
+            columns.push(column(logical.name.clone(), logical.unit.dimension.si_unit(), Signal::Logical(index)));
         }
         for (index, event) in (0..).zip(&plan.events) {
             columns.push(plain(format!("{}.contributor", event.name), Signal::Contributor(index)));
@@ -64,6 +78,8 @@ impl<'a> Recorder<'a> {
             mode: Vec::with_capacity(ticks),
             columns,
             changes: Vec::new(),
+            log: Vec::new(),
+            hits: Vec::new(),
             bodies,
             walls: scenario.walls.iter().map(|wall| wall.corners.clone()).collect(),
             goal: scenario.goal,
@@ -71,7 +87,7 @@ impl<'a> Recorder<'a> {
         let decided =
             plan.strengths.iter().map(|(for_it, against)| (vec![false; for_it.len()], vec![false; against.len()]));
         let held = vec![Vec::with_capacity(ticks); plan.watched.len()];
-        Self { plan, trace, held, decided: decided.collect(), mode: None }
+        Self { plan, trace, held, decided: decided.collect(), mode: None, said: Vec::new(), hits: BTreeSet::new() }
     }
 
     /// Writes down one tick. `dwell` is how long the mode that was active before it had been active by now, ns.
@@ -87,6 +103,7 @@ impl<'a> Recorder<'a> {
         self.trace.times.push(time);
         self.trace.mode.push(machine.mode());
         self.change(time, readings, machine, taken, dwell);
+        self.log(time, machine);
         self.mode = Some(machine.mode());
         for (held, &watched) in self.held.iter_mut().zip(&self.plan.watched) {
             held.push(machine.bool(watched));
@@ -95,6 +112,7 @@ impl<'a> Recorder<'a> {
         let plan = self.plan;
         let truth = |bool| f64::from(u8::from(machine.bool(bool)));
         let sensors = readings.iter().map(|reading| reading.value);
+        let logical = plan.logical.iter().map(|logical| machine.real(logical.value));
         let events = plan
             .events
             .iter()
@@ -103,7 +121,9 @@ impl<'a> Recorder<'a> {
         let robot = (world.robot().middle(), world.heading());
         let boxes = world.boxes().map(|shape| (shape.middle(), shape.pose.rotation.angle()));
         let poses = std::iter::once(robot).chain(boxes).flat_map(|(middle, heading)| [middle.x, middle.y, heading]);
-        for (column, value) in self.trace.columns.iter_mut().zip(sensors.chain(events).chain(flags).chain(poses)) {
+        for (column, value) in
+            self.trace.columns.iter_mut().zip(sensors.chain(logical).chain(events).chain(flags).chain(poses))
+        {
             column.values.push(value);
         }
     }
@@ -131,6 +151,7 @@ impl<'a> Recorder<'a> {
                 let shown = transition.evidence.iter().map(|&of| evidence(self.plan, of, readings, machine, dwell));
                 (Some(transition.priority), transition.text.clone(), shown.collect())
             }
+            Taken::Handed => (None, self.reason(machine), Vec::new()),
             Taken::Lost { input, .. } => {
                 let name = self.plan.inputs[input as usize].name.clone();
                 (None, format!("failed({name})"), vec![Evidence { name, text: "failed".to_owned() }])
@@ -139,10 +160,66 @@ impl<'a> Recorder<'a> {
         self.trace.changes.push(ModeChange { time, from: self.mode, to, priority, condition, evidence });
     }
 
+    /// Why an arbiter handed the robot on: the emergency, or the command that won.
+    fn reason(&self, machine: &Machine<'_>) -> String {
+        let won = machine.proposals().iter().find(|proposal| proposal.won).and_then(|proposal| proposal.action);
+        match (emergency(self.plan, machine), won) {
+            (Some(emergency), _) => emergency.text.clone(),
+            (None, Some(action)) => self.plan.actions[action as usize].name.clone(),
+            (None, None) => String::new(),
+        }
+    }
+
+    /// Notes what became of the proposals of an arbiter's clients, where that is another thing than before.
+    fn log(&mut self, time: u64, machine: &Machine<'_>) {
+        let Some(arbiter) = &self.plan.arbiter else { return };
+        let told = |action: u32| self.plan.actions[action as usize].name.to_uppercase().replace('_', "-");
+        let of_client = |(place, (client, proposal)): (usize, (&plan::Client, &Proposal))| {
+            let Some(action) = proposal.action else { return String::new() };
+            let fate = if proposal.won { "Accepted" } else { "Rejected" };
+            let mode = machine.client(place).map_or(0, Machine::mode);
+            let mode = match client.plan.modes.as_slice() {
+                [_] => String::new(),
+                modes => modes.get(mode as usize).map_or(String::new(), |mode| format!(": {}", mode.name)),
+            };
+            format!("{fate} {} from {} ({}{mode})", told(action), place + 1, client.name)
+        };
+        let of_clients = arbiter.clients.iter().zip(machine.proposals()).enumerate().map(of_client);
+        let bypass = emergency(self.plan, machine).map_or_else(String::new, |emergency| {
+            let action = self.plan.calls[emergency.call as usize].action;
+            format!("Emergency {} at {}", told(action), emergency.text)
+        });
+        let said: Vec<String> = of_clients.chain([bypass]).collect();
+        let is_new = |place: usize, text: &String| !text.is_empty() && self.said.get(place) != Some(text);
+        let mut new: Vec<&String> =
+            said.iter().enumerate().filter(|(place, text)| is_new(*place, text)).map(|(_, text)| text).collect();
+        new.sort_by_key(|text| text.starts_with("Rejected"));
+        self.trace.log.extend(new.into_iter().map(|text| LogEntry { time, text: text.clone() }));
+        self.said = said;
+    }
+
+    /// Notes where range sensors met something.
+    pub(super) fn see(&mut self, hits: impl Iterator<Item = [f64; 2]>) {
+        let cells = hits.map(|hit| hit.map(|coordinate| (coordinate / GRAIN).round() as i32).into());
+        for cell in cells {
+            if self.hits.len() < MOST_HITS {
+                self.hits.insert(cell);
+            }
+        }
+    }
+
     /// The trace, for each watched condition whether it held on each tick, and which rules decided.
-    pub(super) fn finish(self) -> (Trace, Vec<Vec<bool>>, Vec<Decided>) {
+    pub(super) fn finish(mut self) -> (Trace, Vec<Vec<bool>>, Vec<Decided>) {
+        let place = |cell: i32| f64::from(cell) * GRAIN;
+        self.trace.hits = self.hits.into_iter().map(|(x, y)| [place(x), place(y)]).collect();
         (self.trace, self.held, self.decided)
     }
+}
+
+/// The emergency that has the robot.
+fn emergency<'p>(plan: &'p Plan, machine: &Machine<'_>) -> Option<&'p plan::Emergency> {
+    let arbiter = plan.arbiter.as_ref().filter(|_| machine.mode() == plan::Arbiter::EMERGENCY)?;
+    arbiter.emergencies.iter().find(|emergency| machine.bool(emergency.condition))
 }
 
 /// A number that a condition looks at, for people. `dwell` is how long the mode has been active, ns.
@@ -155,6 +232,10 @@ pub fn evidence(plan: &Plan, of: plan::Evidence, readings: &[Reading], machine: 
                 Some(_) | None => "failed".to_owned(),
             };
             Evidence { name: input.name.clone(), text }
+        }
+        plan::Evidence::Logical(index) => {
+            let plan::Logical { name, unit, value, .. } = &plan.logical[index as usize];
+            Evidence { name: name.clone(), text: show_briefly(unit, machine.real(*value)) }
         }
         plan::Evidence::Event(index) => {
             let event = &plan.events[index as usize];

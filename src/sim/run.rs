@@ -2,26 +2,20 @@
 
 use std::fmt;
 
-use nalgebra::Vector2;
-
-use super::differential_drive::{Command, DifferentialDrive};
+use super::drive::Drive;
 use super::expect::{Verdict, judge};
-use super::geometry::Rectangle;
 use super::random::{Purpose, Stream};
 use super::record::Recorder;
-use super::sensing::Sensing;
-use super::world::{World, overlap};
+use super::simulation::{Simulation, build};
 use crate::base::Span;
 use crate::diag::{Diagnostic, rules};
-use crate::interp::{Actuators, Inputs, Machine, Taken};
-use crate::ir::{self, BodyArgument, BodyCommand, BodyCommandKind, Placement};
+use crate::interp::{Inputs, Machine, Taken};
+use crate::ir;
 use crate::plan::Plan;
 use crate::trace::{Footprint, Trace};
 
 /// The most ticks of a run: more than a day at 10 ms, and about as much as fits into memory when recorded.
 const MOST_TICKS: u64 = 10_000_000;
-/// The longest step of the physics, ns.
-const LONGEST_SUBSTEP: u64 = 1_000_000;
 
 /// What a caller may change about a scenario.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -81,36 +75,33 @@ impl std::error::Error for RunError {}
 ///
 /// [`RunError`] where there is nothing to move, or where things overlap at the start.
 pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options: &RunOptions) -> Result<Run, RunError> {
-    let robot = &program.robots[scenario.robot];
-    let Some(ir::Body::DifferentialDrive(parameters)) = &robot.body else { return Err(RunError::NoBody) };
     let ticks = ticks(scenario)?;
-    let mut world = build(parameters, scenario)?;
     let seed = options.seed.unwrap_or(scenario.seed);
-    let ranges: Vec<(f64, f64)> = plan.inputs.iter().map(|input| (input.low, input.high)).collect();
     let faults = scenario.faults.iter().chain(&options.faults);
-    let mut sensing = Sensing::new(program, robot, &ranges, faults, seed);
+    let mut simulation = Simulation::new(program, scenario, faults, seed)?;
     let mut machine = machine(plan, seed);
-    let commands = robot.actions.iter().map(|&action| program.actions[action].command.as_ref()).collect();
-    let body = DifferentialDrive::new(parameters, seed);
-    let mut driver = Driver { commands, body, given: false };
+    let mut drive = Drive::new(program, &program.robots[scenario.robot], plan, seed);
 
     let tick = scenario.tick.max(1);
-    let substeps = tick.div_ceil(LONGEST_SUBSTEP);
-    let bodies = footprints(parameters, scenario);
+    let bodies = footprints(&program.robots[scenario.robot], scenario);
     let mut recorder = Recorder::new(plan, scenario, bodies, seed, ticks as usize);
     for number in 0..ticks {
         let time = number * tick;
         let dt = if number == 0 { 0 } else { tick };
-        let readings = sensing.read(&driver.body, time);
+        let Simulation { world, sensing, driver } = &mut simulation;
+        let done = driver.body.done();
+        let readings = drive.tell(sensing.read(&driver.body, world, time), done).to_vec();
         let dwell = machine.dwell() + dt;
         driver.given = false;
-        let taken = machine.step(Inputs { readings, done: driver.body.done() }, dt, &mut driver);
+        let taken = machine.step(Inputs { readings: &readings, done }, dt, &mut drive.over(driver));
         if taken != Taken::Stayed && !driver.given {
             driver.body.forget_done();
         }
-        recorder.tick(time, readings, &machine, taken, dwell, &world);
+        drive.step(done, dt, driver);
+        recorder.tick(time, &readings, &machine, taken, dwell, world);
+        recorder.see(sensing.hits(world, time));
         if number + 1 < ticks {
-            driver.body.advance(&mut world, tick as f64 / 1e9, substeps);
+            simulation.advance(tick);
         }
     }
     let (trace, held, decided) = recorder.finish();
@@ -169,114 +160,27 @@ fn cannot_start(scenario: &ir::Scenario, error: &RunError) -> Diagnostic {
     }
 }
 
-/// Hands the machine's commands on to the body. A body does what it was last told.
-struct Driver<'a> {
-    /// How the body keeps each action of the plan.
-    commands: Vec<Option<&'a BodyCommand>>,
-    body: DifferentialDrive<'a>,
-    /// Whether a command was given on this tick.
-    given: bool,
-}
-
-impl Actuators for Driver<'_> {
-    fn command(&mut self, action: u32, arguments: &[f64], start: bool) {
-        let Some(&Some(BodyCommand { kind, arguments: meant })) = self.commands.get(action as usize) else { return };
-        let argument = |position: usize| {
-            let value = match meant.get(position) {
-                Some(BodyArgument::Constant(value)) => *value,
-                Some(BodyArgument::Parameter(parameter)) => arguments.get(*parameter as usize).copied().unwrap_or(0.0),
-                None => 0.0,
-            };
-            if value.is_finite() { value } else { 0.0 }
-        };
-        let command = match kind {
-            BodyCommandKind::Stop => Command::Stop,
-            BodyCommandKind::Velocity => Command::Velocity { speed: argument(0), turn_rate: argument(1) },
-            BodyCommandKind::Arc => {
-                let turn_rate = argument(0) / argument(1);
-                // An arc without a radius has no direction to turn to.
-                let turn_rate = if turn_rate.is_finite() { turn_rate } else { 0.0 };
-                Command::Velocity { speed: argument(0), turn_rate }
-            }
-            BodyCommandKind::Rotate => Command::Rotate(argument(0)),
-        };
-        self.body.command(command, start);
-        self.given = true;
-    }
-}
-
-fn footprints(body: &ir::DifferentialDrive, scenario: &ir::Scenario) -> Vec<Footprint> {
-    let robot = Footprint { name: "robot".to_owned(), mass: body.mass, length: body.length, width: body.width };
+fn footprints(robot: &ir::Robot, scenario: &ir::Scenario) -> Vec<Footprint> {
+    let robot = robot.body.as_ref().map(|ir::Body::DifferentialDrive(body)| Footprint {
+        name: "robot".to_owned(),
+        mass: body.mass,
+        length: body.length,
+        width: body.width,
+    });
     let boxes = scenario.boxes.iter().map(|one| Footprint {
         name: one.name.clone(),
         mass: one.mass,
         length: one.length,
         width: one.width,
     });
-    std::iter::once(robot).chain(boxes).collect()
-}
-
-/// The world at the start.
-fn build(body: &ir::DifferentialDrive, scenario: &ir::Scenario) -> Result<World, RunError> {
-    let (x, y, heading) = match scenario.start {
-        Placement::At { x, y, heading } => (x, y, heading),
-        Placement::Ahead(_) => (0.0, 0.0, 0.0),
-    };
-    let robot = Rectangle::new(Vector2::new(x, y), heading, body.length, body.width);
-    let mut world = World::new(robot, heading);
-    for wall in &scenario.walls {
-        for ends in wall.corners.windows(2) {
-            let line = Rectangle::line(ends[0].into(), ends[1].into());
-            if overlap(&robot, &line).is_some() {
-                return Err(collision("robot", "a wall", wall.span));
-            }
-            world.add_wall(line);
-        }
-    }
-    for (index, one) in scenario.boxes.iter().enumerate() {
-        let shape = match one.place {
-            Placement::At { x, y, heading } => Rectangle::new(Vector2::new(x, y), heading, one.length, one.width),
-            Placement::Ahead(floor) => {
-                let distance = robot.half.x + floor + before(&scenario.boxes, index, floor) + one.length / 2.0;
-                Rectangle::new(robot.middle() + robot.ahead() * distance, heading, one.length, one.width)
-            }
-        };
-        if overlap(&robot, &shape).is_some() {
-            return Err(collision(&one.name, "robot", one.span));
-        }
-        if let Some((other, _)) =
-            scenario.boxes.iter().zip(world.boxes()).find(|(_, other)| overlap(other, &shape).is_some())
-        {
-            return Err(collision(&one.name, &other.name, one.span));
-        }
-        if world.walls().iter().any(|wall| overlap(wall, &shape).is_some()) {
-            return Err(collision(&one.name, "a wall", one.span));
-        }
-        world.add_box(shape, one.mass);
-    }
-    Ok(world)
-}
-
-/// The lengths of the boxes ahead of the robot that stand before a box behind `floor` metres of free floor, m. At
-/// equal distances the box that is declared first stands first.
-fn before(boxes: &[ir::BoxBody], index: usize, floor: f64) -> f64 {
-    let stands_before = |other: usize, distance: f64| distance < floor || (distance == floor && other < index);
-    let lengths = boxes.iter().enumerate().filter_map(|(other, one)| match one.place {
-        Placement::Ahead(distance) if stands_before(other, distance) => Some(one.length),
-        Placement::Ahead(_) | Placement::At { .. } => None,
-    });
-    lengths.sum()
-}
-
-fn collision(what: &str, with: &str, span: Span) -> RunError {
-    RunError::Overlap { what: what.to_owned(), with: with.to_owned(), span }
+    robot.into_iter().chain(boxes).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::base::Id;
-    use crate::ir::{Expectation, ExpectationKind, FaultReading, Window};
+    use crate::ir::{Expectation, ExpectationKind, FaultReading, Placement, Window};
     use crate::sim::fixture::{J5, MODES, cargo, manipulation, plan, program, scenario};
     use crate::trace::Signal;
 
@@ -376,24 +280,6 @@ mod tests {
         let scenario = ir::Scenario { duration: 1_000_000_000, tick: 300_000_000, ..scenario() };
         let trace = run(&program(J5), &plan(), &scenario, &RunOptions::default()).unwrap().trace;
         assert_eq!(trace.times, [0, 300_000_000, 600_000_000, 900_000_000]);
-    }
-
-    #[test]
-    fn boxes_ahead_stand_behind_as_much_free_floor() {
-        let boxes = vec![
-            cargo("far", 90.0, Placement::Ahead(1.5)),
-            cargo("near", 30.0, Placement::Ahead(0.75)),
-            cargo("same", 30.0, Placement::Ahead(1.5)),
-        ];
-        let quarter = std::f64::consts::FRAC_PI_2;
-        let start = Placement::At { x: 1.0, y: 2.0, heading: quarter };
-        let world = build(&J5, &ir::Scenario { start, boxes, ..scenario() }).unwrap();
-        // The front is at y = 2.5; boxes are 0.4 m long.
-        let expected = [2.5 + 1.5 + 0.4 + 0.2, 2.5 + 0.75 + 0.2, 2.5 + 1.5 + 0.8 + 0.2];
-        for (shape, y) in world.boxes().zip(expected) {
-            assert!((shape.middle() - Vector2::new(1.0, y)).norm() < 1e-12, "{}", shape.middle());
-            assert!((shape.pose.rotation.angle() - quarter).abs() < 1e-12);
-        }
     }
 
     #[test]

@@ -1,67 +1,120 @@
-//! What sensors say: the truth of the body, noise, periods and faults.
+//! What sensors say: the truth of the body and its world, accuracy, noise, periods and faults.
+
+use nalgebra::Vector2;
 
 use super::differential_drive::DifferentialDrive;
 use super::random::{Purpose, Stream};
+use super::ring::Ring;
+use super::world::{End, World};
+use crate::base::Id;
 use crate::interp::Reading;
 use crate::ir::{self, FaultReading, SensorSource};
 
 /// The sensors of a robot during a run.
 #[derive(Debug)]
 pub(super) struct Sensing<'a> {
-    sensors: Vec<&'a ir::Sensor>,
+    sensors: Vec<Gauge<'a>>,
+    rings: Vec<Ring>,
+    /// The instant at which each ring looked around last, in nanoseconds.
+    looked: Vec<Option<u64>>,
+    goal: Option<Vector2<f64>>,
     /// Faults in order, with the position of their sensor; readings stuck somewhere have been drawn.
     faults: Vec<(usize, ir::Fault)>,
     noise: Stream,
-    /// The last reading of each sensor, before faults.
-    values: Vec<f64>,
-    /// When each sensor is read again, in nanoseconds.
-    due: Vec<u64>,
     readings: Vec<Reading>,
 }
 
+/// A sensor.
+#[derive(Debug)]
+struct Gauge<'a> {
+    sensor: &'a ir::Sensor,
+    /// The readings it can give, in SI.
+    range: (f64, f64),
+    /// Which of the rings it is a beam of; 0 for one that is none.
+    ring: usize,
+    /// Its last reading, before faults; `None` without a source, or without a goal to find.
+    value: Option<f64>,
+    /// When it is read again, in nanoseconds.
+    due: u64,
+}
+
 impl<'a> Sensing<'a> {
-    /// The sensors of `robot`, none read yet. `ranges` are the readings each can give, in SI.
+    /// The sensors of a scenario's robot in its world, none read yet.
     pub(super) fn new<'f>(
         program: &'a ir::Program,
-        robot: &ir::Robot,
-        ranges: &[(f64, f64)],
+        scenario: &ir::Scenario,
+        world: &World,
         faults: impl Iterator<Item = &'f ir::Fault>,
         seed: u64,
     ) -> Self {
+        let robot = &program.robots[scenario.robot];
+        let mut rings: Vec<(Ring, Key)> = Vec::new();
+        let gauge = |&sensor: &Id<ir::Sensor>| {
+            let sensor = &program.sensors[sensor];
+            let range = (sensor.range.0.to_f64(), sensor.range.1.to_f64());
+            let mut ring = 0;
+            if let Some(SensorSource::Range { of, .. }) = sensor.source {
+                let key = (of, sensor.beam, range.1);
+                ring = rings.iter().position(|(_, known)| *known == key).unwrap_or(rings.len());
+                if ring == rings.len() {
+                    rings.push((Ring::new(of, sensor.beam, range.1, &world.robot()), key));
+                }
+            }
+            Gauge { sensor, range, ring, value: None, due: 0 }
+        };
+        let sensors: Vec<_> = robot.sensors.iter().map(gauge).collect();
         let mut stream = Stream::new(seed, Purpose::Faults);
         let place = |fault: &ir::Fault| robot.sensors.iter().position(|&sensor| sensor == fault.sensor);
         let faults = faults.filter_map(|fault| Some((place(fault)?, fault.clone()))).map(|(sensor, mut fault)| {
             if fault.reading == FaultReading::StuckSomewhere {
-                let (low, high) = ranges.get(sensor).copied().unwrap_or_default();
+                let (low, high) = sensors[sensor].range;
                 fault.reading = FaultReading::Stuck(stream.between(low, high));
             }
             (sensor, fault)
         });
-        let count = robot.sensors.len();
         Self {
             faults: faults.collect(),
-            sensors: robot.sensors.iter().map(|&sensor| &program.sensors[sensor]).collect(),
+            looked: vec![None; rings.len()],
+            rings: rings.into_iter().map(|(ring, _)| ring).collect(),
+            goal: scenario.goal.map(Vector2::from),
             noise: Stream::new(seed, Purpose::Sensors),
-            values: vec![f64::NAN; count],
-            due: vec![0; count],
-            readings: vec![Reading { value: f64::NAN, healthy: false }; count],
+            readings: vec![Reading { value: f64::NAN, healthy: false }; sensors.len()],
+            sensors,
         }
     }
 
     /// Reads all sensors at `time`, in nanoseconds. A sensor that the body does not provide counts as failed.
-    pub(super) fn read(&mut self, body: &DifferentialDrive<'_>, time: u64) -> &[Reading] {
-        for (index, sensor) in self.sensors.iter().enumerate() {
-            if time >= self.due[index] {
-                let truth = sensor.source.map_or(f64::NAN, |source| measure(body, source));
+    pub(super) fn read(&mut self, body: &DifferentialDrive<'_>, world: &World, time: u64) -> &[Reading] {
+        for (gauge, reading) in self.sensors.iter_mut().zip(&mut self.readings) {
+            let Gauge { sensor, range, .. } = *gauge;
+            if time >= gauge.due {
+                let truth = match sensor.source {
+                    Some(SensorSource::Range { beam, .. }) => {
+                        let ring = &mut self.rings[gauge.ring];
+                        if self.looked[gauge.ring].replace(time) != Some(time) {
+                            ring.look(world);
+                        }
+                        Some(ring.distance(beam))
+                    }
+                    Some(source) => measure(body, world, self.goal, source),
+                    None => None,
+                };
                 // Drawn whether or not a fault hides it, so that a fault leaves the noise of other sensors alone.
                 let noise = if sensor.noise > 0.0 { self.noise.normal() * sensor.noise } else { 0.0 };
-                self.values[index] = truth + noise;
+                let error =
+                    if sensor.accuracy > 0.0 { self.noise.between(-sensor.accuracy, sensor.accuracy) } else { 0.0 };
+                gauge.value = truth.map(|truth| match sensor.source {
+                    // Nothing in sight is no distance to err about.
+                    Some(SensorSource::Range { .. }) if truth >= range.1 => range.1,
+                    Some(SensorSource::Range { .. }) => (truth + noise + error).clamp(range.0, range.1),
+                    _ => truth + noise + error,
+                });
                 // Counted on from when it was due, so that ticks beside the period do not stretch it.
-                if let Some(periods) = (time - self.due[index]).checked_div(sensor.period) {
-                    self.due[index] += (periods + 1) * sensor.period;
+                if let Some(periods) = (time - gauge.due).checked_div(sensor.period) {
+                    gauge.due += (periods + 1) * sensor.period;
                 }
             }
-            self.readings[index] = Reading { value: self.values[index], healthy: sensor.source.is_some() };
+            *reading = Reading { value: gauge.value.unwrap_or(f64::NAN), healthy: gauge.value.is_some() };
         }
         for (sensor, fault) in &self.faults {
             if fault.window.contains(time) {
@@ -77,25 +130,65 @@ impl<'a> Sensing<'a> {
     }
 }
 
-/// The true value at a place of the body, in SI.
-fn measure(body: &DifferentialDrive<'_>, source: SensorSource) -> f64 {
-    match source {
+impl Sensing<'_> {
+    /// Where range sensors that were read at `time` met something, as they said, m.
+    pub(super) fn hits(&self, world: &World, time: u64) -> impl Iterator<Item = [f64; 2]> {
+        let robot = world.robot();
+        let seen = self.sensors.iter().filter(move |gauge| self.looked.get(gauge.ring) == Some(&Some(time)));
+        seen.filter_map(move |Gauge { sensor, range, ring, value, .. }| {
+            let (Some(SensorSource::Range { beam, .. }), Some(value)) = (sensor.source, *value) else { return None };
+            let place = robot.middle() + robot.pose.rotation * self.rings.get(*ring)?.place(beam, value);
+            (value < range.1).then_some([place.x, place.y])
+        })
+    }
+}
+
+/// What the beams of one ring have in common: how many there are, and how wide (rad) and far (m) they see.
+type Key = (u32, f64, f64);
+
+/// The true value at a place of the body, in SI; `None` where there is no goal. Ranges are measured a ring at a time.
+fn measure(
+    body: &DifferentialDrive<'_>,
+    world: &World,
+    goal: Option<Vector2<f64>>,
+    source: SensorSource,
+) -> Option<f64> {
+    let truth = |is_so| f64::from(u8::from(is_so));
+    let middle = world.robot().middle();
+    let value = match source {
+        // Told by the drive, and by an arbiter to each of its clients.
+        SensorSource::Won
+        | SensorSource::Lost
+        | SensorSource::State
+        | SensorSource::Command
+        | SensorSource::Argument(_) => 0.0,
         SensorSource::LeftWheelAcceleration => body.accelerations()[0],
         SensorSource::RightWheelAcceleration => body.accelerations()[1],
         SensorSource::LeftWheelSpeed => body.speeds()[0],
         SensorSource::RightWheelSpeed => body.speeds()[1],
         SensorSource::WedgeForce => body.wedge_force(),
-    }
+        SensorSource::FrontBumper => truth(world.is_touched(End::Front)),
+        SensorSource::BackBumper => truth(world.is_touched(End::Back)),
+        SensorSource::X => middle.x,
+        SensorSource::Y => middle.y,
+        SensorSource::Heading => world.robot().pose.rotation.angle(),
+        SensorSource::GoalDistance => (goal? - middle).norm(),
+        SensorSource::GoalBearing => {
+            let way = world.robot().pose.rotation.inverse_transform_vector(&(goal? - middle));
+            way.y.atan2(way.x)
+        }
+        SensorSource::Range { .. } => return None,
+    };
+    Some(value)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::{Id, Span};
+    use crate::base::Span;
     use crate::ir::Window;
-    use crate::sim::fixture::{J5, program};
-
-    const RANGES: [(f64, f64); 3] = [(-4.0, 4.0), (-4.0, 4.0), (0.0, 400.0)];
+    use crate::sim::Simulation;
+    use crate::sim::fixture::{J5, program, scenario};
 
     fn fault(sensor: u32, reading: FaultReading, from: u64, to: u64) -> ir::Fault {
         ir::Fault { sensor: Id::new(sensor), reading, window: Window { from, to }, span: Span::default() }
@@ -103,10 +196,8 @@ mod tests {
 
     /// What a resting robot's sensors read at 0, 1, 2, ... ns.
     fn readings(program: &ir::Program, faults: &[ir::Fault], seed: u64, count: u64) -> Vec<Vec<Reading>> {
-        let body = DifferentialDrive::new(&J5, seed);
-        let robot = &program.robots[Id::new(0)];
-        let mut sensing = Sensing::new(program, robot, &RANGES, faults.iter(), seed);
-        (0..count).map(|time| sensing.read(&body, time).to_vec()).collect()
+        let mut simulation = Simulation::new(program, &scenario(), faults.iter(), seed).unwrap();
+        (0..count).map(|time| simulation.read(time).to_vec()).collect()
     }
 
     fn noisy() -> ir::Program {

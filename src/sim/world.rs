@@ -6,10 +6,14 @@
 //! arc a box slides sideways along it. Past the edge of the wedge, and at the robot's other sides, a box is pushed out
 //! by the shortest way, which lets it slide off the corner. A box that is pushed pushes what it touches. What meets a
 //! wall slides along it, or stays where it is; a step that would leave two things in one place is not made at all.
+//!
+//! Nothing but the robot moves of itself. So what stands around it is looked at once, and until it has come as far as
+//! the nearest of it, it meets nothing: such steps cost next to nothing, and are the same.
 
-use nalgebra::Vector2;
+use nalgebra::{Isometry2, Vector2};
 
-use super::geometry::{Contact, Rectangle, contact, way_out};
+use super::geometry::{Contact, Rectangle, contact, gap, way_out};
+use super::walls::Walls;
 
 /// Overlaps up to this are none, m: far above the rounding of positions in a world of kilometres.
 pub(super) const SLOP: f64 = 1e-6;
@@ -19,6 +23,8 @@ const TOUCH: f64 = 1e-5;
 const LET_GO: f64 = 1e-3;
 /// What touches within 60 degrees of the way the robot drives is in its way: the cosine of that angle.
 const IN_THE_WAY: f64 = 0.5;
+/// How far around the robot walls are looked for at a time, m.
+const VICINITY: f64 = 0.25;
 
 /// A box on the floor.
 #[derive(Debug, Clone)]
@@ -30,14 +36,30 @@ struct Crate {
     held: bool,
 }
 
+/// An end of the robot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    Front,
+    Back,
+}
+
 /// The robot, the boxes and the walls.
 #[derive(Debug, Clone)]
 pub(super) struct World {
+    /// Its heading may lag behind while the robot is free.
     robot: Rectangle,
     /// The robot's heading in rad, counted on over full turns.
     heading: f64,
+    /// The radius of the circle around the robot, m.
+    radius: f64,
     boxes: Vec<Crate>,
-    walls: Vec<Rectangle>,
+    walls: Walls,
+    /// The positions of the walls around the robot, as long as it moves by no more than `vicinity`.
+    nearby: Vec<usize>,
+    /// How far the robot may move before it can reach a wall that is not nearby, m.
+    vicinity: f64,
+    /// How far the robot may move before it can touch anything, m; 0 or below while it may be touching something.
+    free: f64,
     /// The longest step in which nothing can be passed, m.
     longest_step: f64,
     /// The way the robot was driving when its load was last asked for: 1, -1 or 0.
@@ -50,6 +72,8 @@ pub(super) struct World {
     undo: Vec<(usize, Vector2<f64>)>,
     /// Boxes the load has reached, for the search.
     reached: Vec<usize>,
+    /// Walls around a box, for the search.
+    around: Vec<usize>,
 }
 
 /// What stands in the robot's way.
@@ -69,6 +93,8 @@ impl Load {
 /// What became of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moved {
+    /// How far the robot drove along its heading, m.
+    pub(super) drove: f64,
     /// The angle the robot turned, rad.
     pub(super) turned: f64,
     /// Whether something kept it from driving on.
@@ -85,25 +111,33 @@ enum Yields {
 }
 
 impl World {
-    /// A world with a robot; `heading` in rad.
-    pub(super) fn new(robot: Rectangle, heading: f64) -> Self {
-        Self {
+    /// A world with a robot and walls; `heading` in rad.
+    pub(super) fn new(robot: Rectangle, heading: f64, walls: Walls) -> Self {
+        let mut world = Self {
             robot,
             heading,
+            radius: robot.radius(),
             boxes: Vec::new(),
-            walls: Vec::new(),
+            walls,
+            nearby: Vec::new(),
+            vicinity: 0.0,
+            free: 0.0,
             longest_step: robot.half.min() / 2.0,
             direction: 0.0,
             against_wall: false,
             moved: Vec::new(),
             undo: Vec::new(),
             reached: Vec::new(),
-        }
+            around: Vec::new(),
+        };
+        world.look_around(VICINITY);
+        world
     }
 
     /// Adds a box of `mass` kg.
     pub(super) fn add_box(&mut self, shape: Rectangle, mass: f64) {
         self.longest_step = self.longest_step.min(shape.half.min() / 2.0);
+        self.free = 0.0;
         self.boxes.push(Crate { shape, mass, held: false });
         // Enough for every box once, so that steps rarely allocate.
         self.moved.reserve(self.boxes.len());
@@ -111,14 +145,9 @@ impl World {
         self.reached.reserve(self.boxes.len());
     }
 
-    /// Adds a straight wall.
-    pub(super) fn add_wall(&mut self, line: Rectangle) {
-        self.walls.push(line);
-    }
-
     /// The robot's outline.
-    pub(super) fn robot(&self) -> &Rectangle {
-        &self.robot
+    pub(super) fn robot(&self) -> Rectangle {
+        Rectangle { pose: Isometry2::new(self.robot.middle(), self.heading), half: self.robot.half }
     }
 
     /// The robot's heading in rad, counted on over full turns.
@@ -132,8 +161,21 @@ impl World {
     }
 
     /// The walls, in the order they were added.
-    pub(super) fn walls(&self) -> &[Rectangle] {
+    pub(super) fn walls(&self) -> &Walls {
         &self.walls
+    }
+
+    /// Whether anything touches that half of the robot.
+    pub(super) fn is_touched(&self, end: End) -> bool {
+        if self.free > 0.0 {
+            return false;
+        }
+        let quarter = self.robot.half.x / 2.0;
+        let mut half = self.robot;
+        half.half.x = quarter;
+        half.shift(self.robot.ahead() * if end == End::Front { quarter } else { -quarter });
+        let walls = self.nearby.iter().map(|&wall| self.walls.line(wall));
+        walls.chain(self.boxes()).any(|other| contact(&half, other, TOUCH).is_some())
     }
 
     /// What stands in the way of a robot that drives forward (1), backward (-1) or not at all (0): the boxes it
@@ -144,18 +186,20 @@ impl World {
             self.against_wall = false;
             self.boxes.iter_mut().for_each(|one| one.held = false);
         }
-        if direction == 0.0 {
+        if direction == 0.0 || self.free > 0.0 {
             return Load::NONE;
         }
         let way = self.robot.ahead() * direction;
         let mut load = Load::NONE;
         self.reached.clear();
-        let mut wall = self.wall_in_the_way(&self.robot, way);
+        let mut wall = self.nearby.iter().any(|&wall| self.is_in_the_way(wall, &self.robot, way));
         let mut next = 0;
         self.reach(None, way);
         while let Some(&index) = self.reached.get(next) {
             self.reach(Some(index), way);
-            wall |= self.wall_in_the_way(&self.boxes[index].shape, way);
+            let shape = self.boxes[index].shape;
+            self.walls.near(shape.middle(), shape.radius() + LET_GO, &mut self.around);
+            wall |= self.around.iter().any(|&wall| self.is_in_the_way(wall, &shape, way));
             next += 1;
         }
         for (index, one) in self.boxes.iter_mut().enumerate() {
@@ -188,50 +232,88 @@ impl World {
         }
     }
 
-    fn wall_in_the_way(&self, shape: &Rectangle, way: Vector2<f64>) -> bool {
+    fn is_in_the_way(&self, wall: usize, shape: &Rectangle, way: Vector2<f64>) -> bool {
         let margin = if self.against_wall { LET_GO } else { TOUCH };
-        let meets = |wall| contact(shape, wall, margin).is_some_and(|found| found.normal.dot(&way) > IN_THE_WAY);
-        self.walls.iter().any(meets)
+        contact(shape, self.walls.line(wall), margin).is_some_and(|found| found.normal.dot(&way) > IN_THE_WAY)
     }
 
     /// Drives the robot `forward` (m) on an arc on which it turns left by `turn` (rad), with all that this moves.
     pub(super) fn advance(&mut self, forward: f64, turn: f64) -> Moved {
-        let farthest = forward.abs() + turn.abs() * self.robot.radius();
+        let farthest = forward.abs() + turn.abs() * self.radius;
+        if farthest < self.free {
+            self.go(forward, turn);
+            self.free -= farthest;
+            self.vicinity -= farthest;
+            return Moved { drove: forward, turned: turn, drive_blocked: false, turn_blocked: false };
+        }
         let steps = (farthest / self.longest_step).ceil().clamp(1.0, 1e6);
-        let mut moved = Moved { turned: 0.0, drive_blocked: false, turn_blocked: false };
+        let (forward, turn, farthest) = (forward / steps, turn / steps, farthest / steps);
+        let mut moved = Moved { drove: 0.0, turned: 0.0, drive_blocked: false, turn_blocked: false };
         for _ in 0..steps as u32 {
-            let (forward, turn) = (forward / steps, turn / steps);
+            self.robot = self.robot();
+            // A step may also slide, by several times its length.
+            self.look_around(LET_GO + 16.0 * farthest);
             let (mut drove, mut turned) = (self.attempt(forward, turn, Yields::ToWalls), true);
             if drove.is_none() {
                 drove = self.attempt(forward, 0.0, Yields::ToWalls);
                 // A robot that turns shoves itself off what it cannot move, so that it never sticks for good.
                 turned = turn == 0.0 || self.attempt(0.0, turn, Yields::ToAll).is_some();
             }
+            moved.drove += drove.unwrap_or(0.0) * forward.signum();
             moved.turned += if turned { turn } else { 0.0 };
             moved.turn_blocked |= !turned;
             // Sliding along a wall that is not in the way costs this much at most.
             let least = forward.abs() * (1.0 - IN_THE_WAY * IN_THE_WAY);
             moved.drive_blocked |= drove.is_none_or(|drove| drove < least);
+            self.find_freedom();
         }
         moved
+    }
+
+    /// Finds the walls around the robot, unless it is still `enough` (m) from all others.
+    fn look_around(&mut self, enough: f64) {
+        if self.vicinity < enough {
+            self.vicinity = enough.max(VICINITY);
+            self.walls.near(self.robot.middle(), self.radius + self.vicinity, &mut self.nearby);
+        }
+    }
+
+    /// Finds how far the robot may move before it can touch anything.
+    fn find_freedom(&mut self) {
+        let walls = self.nearby.iter().map(|&wall| self.walls.line(wall));
+        let nearest = walls.chain(self.boxes()).map(|other| gap(&self.robot, other)).fold(self.vicinity, f64::min);
+        self.free = nearest - LET_GO;
+        if self.free > 0.0 {
+            self.against_wall = false;
+            self.boxes.iter_mut().for_each(|one| one.held = false);
+        }
+    }
+
+    /// Moves the robot's middle and its heading, whatever is in its way. The direction it went in.
+    fn go(&mut self, forward: f64, turn: f64) -> Vector2<f64> {
+        let middle = self.heading + turn / 2.0;
+        let way = Vector2::new(middle.cos(), middle.sin());
+        self.heading += turn;
+        self.robot.shift(way * forward);
+        way
     }
 
     /// Makes a step if it leaves nothing in one place with something else. How far the robot then got in the
     /// direction of `forward`, m.
     fn attempt(&mut self, forward: f64, turn: f64, yields: Yields) -> Option<f64> {
-        let before = self.robot;
-        let middle = self.heading + turn / 2.0;
-        let way = Vector2::new(middle.cos(), middle.sin());
-        let heading = self.heading + turn;
-        self.robot = Rectangle::new(before.middle() + way * forward, heading, 0.0, 0.0);
-        self.robot.half = before.half;
+        let (before, heading) = (self.robot, self.heading);
+        let way = self.go(forward, turn);
+        self.robot = self.robot();
         self.undo.clear();
         self.moved.clear();
-        if self.leave_obstacles(yields) && self.push_boxes() {
-            self.heading = heading;
-            return Some((self.robot.middle() - before.middle()).dot(&way) * forward.signum());
+        let slid = self.leave_obstacles(yields);
+        let shift = self.robot.middle() - before.middle();
+        let left = self.vicinity - shift.norm() - turn.abs() * self.radius;
+        if slid && left >= 0.0 && self.push_boxes() {
+            self.vicinity = left;
+            return Some(shift.dot(&way) * forward.signum());
         }
-        self.robot = before;
+        (self.robot, self.heading) = (before, heading);
         while let Some((index, place)) = self.undo.pop() {
             self.boxes[index].shape.pose.translation.vector = place;
         }
@@ -244,10 +326,12 @@ impl World {
             Yields::ToWalls => &[],
             Yields::ToAll => self.boxes.as_slice(),
         };
-        // A round settles one obstacle, another one its neighbor; what needs more is wedged in.
-        for _ in 0..4 {
+        // A round settles one obstacle, another one its neighbor; between two that almost face each other it takes many.
+        // What needs more is wedged in.
+        for _ in 0..32 {
             let mut free = true;
-            for obstacle in self.walls.iter().chain(boxes.iter().map(|one| &one.shape)) {
+            let walls = self.nearby.iter().map(|&wall| self.walls.line(wall));
+            for obstacle in walls.chain(boxes.iter().map(|one| &one.shape)) {
                 if let Some(Contact { normal, depth }) = overlap(obstacle, &self.robot) {
                     self.robot.shift(normal * depth);
                     free = false;
@@ -272,8 +356,12 @@ impl World {
             if rounds == 0 {
                 return false;
             }
-            for wall in 0..self.walls.len() {
-                if let Some(Contact { normal, depth }) = overlap(&self.walls[wall], &self.boxes[mover].shape) {
+            let shape = &self.boxes[mover].shape;
+            // Sliding out of one wall may take it into the next.
+            self.walls.near(shape.middle(), 2.0 * shape.radius(), &mut self.around);
+            for wall in 0..self.around.len() {
+                let line = self.walls.line(self.around[wall]);
+                if let Some(Contact { normal, depth }) = overlap(line, &self.boxes[mover].shape) {
                     self.shift(mover, normal * depth);
                 }
             }
@@ -323,12 +411,9 @@ mod tests {
     use super::*;
     use crate::sim::random::{Purpose, Stream};
 
-    fn world() -> World {
-        World::new(Rectangle::new(Vector2::zeros(), 0.0, 1.0, 0.75), 0.0)
-    }
-
-    fn wall(from: [f64; 2], to: [f64; 2]) -> Rectangle {
-        Rectangle::line(from.into(), to.into())
+    fn world(walls: &[[[f64; 2]; 2]]) -> World {
+        let walls = Walls::new(walls.iter().map(|ends| ends.map(Vector2::from)));
+        World::new(Rectangle::new(Vector2::zeros(), 0.0, 1.0, 0.75), 0.0, walls)
     }
 
     fn cargo(x: f64, y: f64) -> Rectangle {
@@ -344,7 +429,7 @@ mod tests {
         let solid: Vec<&Rectangle> = std::iter::once(&world.robot).chain(world.boxes()).collect();
         let mut deepest = 0.0_f64;
         for (index, first) in solid.iter().enumerate() {
-            let others = solid[index + 1..].iter().copied().chain(&world.walls);
+            let others = solid[index + 1..].iter().copied().chain(world.walls.lines());
             for other in others {
                 deepest = deepest.max(contact(first, other, 0.0).map_or(0.0, |found| found.depth));
             }
@@ -361,7 +446,7 @@ mod tests {
 
     #[test]
     fn a_box_is_pushed_straight_ahead() {
-        let mut world = world();
+        let mut world = world(&[]);
         world.add_box(cargo(1.0, 0.1), 30.0);
         drive(&mut world, 1000, 0.001, 0.0);
         // The robot's front ends at 1.5 m, half the box's length before its middle.
@@ -372,7 +457,7 @@ mod tests {
 
     #[test]
     fn a_row_of_boxes_is_one_load() {
-        let mut world = world();
+        let mut world = world(&[]);
         for (index, mass) in [10.0, 20.0, 40.0].into_iter().enumerate() {
             world.add_box(cargo(0.75 + 0.5 * index as f64, 0.0), mass);
         }
@@ -390,7 +475,7 @@ mod tests {
 
     #[test]
     fn on_an_arc_a_box_slides_along_the_wedge_and_off_it() {
-        let mut world = world();
+        let mut world = world(&[]);
         world.add_box(cargo(0.7, 0.0), 30.0);
         let offset = |world: &World| (place(world, 0) - world.robot.middle()).dot(&world.robot.left());
         let mut before = offset(&world);
@@ -410,8 +495,7 @@ mod tests {
 
     #[test]
     fn a_wall_ahead_stops_the_robot_and_what_it_pushes() {
-        let mut world = world();
-        world.add_wall(wall([1.5, -2.0], [1.5, 2.0]));
+        let mut world = world(&[[[1.5, -2.0], [1.5, 2.0]]]);
         world.add_box(cargo(0.9, 0.0), 30.0);
         drive(&mut world, 2000, 0.001, 0.0);
         // The last step may have been given up for a wall nearer than its millimetre.
@@ -424,8 +508,7 @@ mod tests {
 
     #[test]
     fn a_robot_slides_along_a_wall_beside_it() {
-        let mut world = world();
-        world.add_wall(wall([-5.0, 0.4], [5.0, 0.4]));
+        let mut world = world(&[[[-5.0, 0.4], [5.0, 0.4]]]);
         drive(&mut world, 200, 0.001, 0.000_5);
         let heading = world.heading();
         drive(&mut world, 1000, 0.001, 0.0);
@@ -436,9 +519,8 @@ mod tests {
     #[test]
     fn a_robot_turns_itself_off_a_wall_and_off_a_box_before_one() {
         for pinned in [false, true] {
-            let mut world = world();
             let at = if pinned { -0.9 } else { -0.5 };
-            world.add_wall(wall([at, -2.0], [at, 2.0]));
+            let mut world = world(&[[[at, -2.0], [at, 2.0]]]);
             if pinned {
                 world.add_box(cargo(-0.7, 0.0), 30.0);
             }
@@ -452,17 +534,14 @@ mod tests {
     fn nothing_ever_stands_in_one_place_or_passes_a_wall() {
         for seed in 0..200 {
             let mut stream = Stream::new(seed, Purpose::Tracking);
-            let mut world = world();
             let corners = [[-2.0, -2.0], [2.5, -2.0], [2.0, 2.0], [-2.0, 1.8]];
-            for index in 0..4 {
-                world.add_wall(wall(corners[index], corners[(index + 1) % 4]));
-            }
+            let mut world = world(&[0, 1, 2, 3].map(|index| [corners[index], corners[(index + 1) % 4]]));
             for _ in 0..12 {
                 let middle = Vector2::new(stream.between(-1.7, 1.7), stream.between(-1.5, 1.5));
                 let size = [stream.between(0.05, 0.6), stream.between(0.05, 0.6)];
                 let shape = Rectangle::new(middle, stream.between(0.0, TAU), size[0], size[1]);
                 let free = |other| overlap(other, &shape).is_none();
-                if std::iter::once(&world.robot).chain(world.boxes()).chain(&world.walls).all(free) {
+                if std::iter::once(&world.robot).chain(world.boxes()).chain(world.walls.lines()).all(free) {
                     world.add_box(shape, stream.between(5.0, 120.0));
                 }
             }

@@ -46,7 +46,9 @@ fn last_move(subject: &Subject<'_>, refuted: &Refuted, diagnostic: Diagnostic) -
         Some((Taken::Lost { from, .. }, moment)) => {
             diagnostic.label(mode(from), format!("left at {}, without a sensor it requires", time(moment.time)))
         }
-        Some((Taken::Entered | Taken::Stayed, moment)) => diagnostic.label(mode(moment.mode), "the machine is here"),
+        Some((Taken::Entered | Taken::Stayed | Taken::Handed, moment)) => {
+            diagnostic.label(mode(moment.mode), "the machine is here")
+        }
         None => diagnostic,
     }
 }
@@ -67,7 +69,9 @@ fn story(subject: &Subject<'_>, refuted: &Refuted) -> String {
         let place = match moment.taken {
             Taken::Entered => format!("{} is entered", name(moment.mode)),
             Taken::Stayed => format!("in {}", name(moment.mode)),
-            Taken::Transition(_) | Taken::Lost { .. } => format!("{} -> {}", name(mode), name(moment.mode)),
+            Taken::Transition(_) | Taken::Handed | Taken::Lost { .. } => {
+                format!("{} -> {}", name(mode), name(moment.mode))
+            }
         };
         changes.insert(0, format!("at {}: {place}", time(moment.time)));
         lines.push(changes.join("; "));

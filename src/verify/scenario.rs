@@ -202,6 +202,7 @@ impl Replay<'_> {
 pub fn written(number: Number, unit: &Unit) -> String {
     match unit.text.as_str() {
         "1" => number.written.to_string(),
+        "contact" => unit.show(number.written),
         unit => format!("{} {unit}", number.written),
     }
 }

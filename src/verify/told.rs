@@ -70,17 +70,23 @@ pub(super) struct Cues {
 impl Cues {
     /// `None` where a number of a range cannot be written.
     pub(super) fn new(program: &Program, diagram: &Diagram, stimuli: &[Vec<Stimulus>]) -> Option<Self> {
-        let sensors = program.sensors_of(diagram.platform);
-        let place = |sensor: Id<Sensor>| sensors.iter().position(|own| *own == sensor);
+        let sensors = program.measuring(diagram.platform);
+        // A logical sensor reads what all of its members read.
+        let places = |sensor: Id<Sensor>| {
+            let of = program.sensors[sensor].group.as_ref().map_or_else(|| vec![sensor], |group| group.of.clone());
+            of.into_iter().filter_map(|sensor| sensors.iter().position(|own| *own == sensor)).collect::<Vec<_>>()
+        };
         let unit = |sensor: Id<Sensor>| &program.sensors[sensor].unit;
         let cue = |stimulus: &Stimulus| {
             let read = stimulus.readings.iter().filter(|(sensor, _)| !stimulus.failed.contains(sensor));
-            let number =
-                |(sensor, at): &(Id<Sensor>, Exact)| Some((place(*sensor)?, Number::exactly(*at, unit(*sensor))?));
-            let failed = stimulus.failed.iter().filter_map(|sensor| place(*sensor));
+            let number = |(sensor, at): &(Id<Sensor>, Exact)| {
+                let number = Number::exactly(*at, unit(*sensor))?;
+                Some(places(*sensor).into_iter().map(move |place| (place, number)))
+            };
+            let numbers: Vec<_> = read.map(number).collect::<Option<_>>()?;
             Some(Cue {
-                numbers: read.map(number).collect::<Option<_>>()?,
-                failed: failed.collect(),
+                numbers: numbers.into_iter().flatten().collect(),
+                failed: stimulus.failed.iter().flat_map(|sensor| places(*sensor)).collect(),
                 done: stimulus.done,
             })
         };
@@ -89,7 +95,7 @@ impl Cues {
             Number::exactly(Exact::ZERO.clamp(low, high), unit(sensor)).map(Some)
         };
         let of_mode: Vec<Vec<Cue>> = stimuli.iter().map(|of_mode| of_mode.iter().filter_map(cue).collect()).collect();
-        let required = diagram.modes.values().flat_map(|mode| &mode.requires).filter_map(|(sensor, _)| place(*sensor));
+        let required = diagram.modes.values().flat_map(|mode| &mode.requires).flat_map(|(sensor, _)| places(*sensor));
         let mut matters = vec![false; sensors.len()];
         let told = of_mode.iter().flatten();
         let told = told.flat_map(|cue| cue.numbers.iter().map(|(place, _)| *place).chain(cue.failed.iter().copied()));

@@ -45,10 +45,15 @@ fn pictures() -> Vec<(String, String)> {
         let analysis = analyze_path(&path);
         let (program, sources) = (&analysis.program, &analysis.sources);
         let is_own = |symbol: &Symbol| analysis.roots.contains(&symbol.span.file);
-        for (id, diagram) in program.diagrams.iter().filter(|(_, diagram)| is_own(&diagram.symbol)) {
+        let diagrams = program.diagrams.iter().filter(|(_, of)| is_own(&of.symbol) && of.arbiter.is_none());
+        for (id, diagram) in diagrams {
             pictures.push((diagram.symbol.name.clone(), chart::svg(&chart::Chart::new(program, sources, id))));
         }
-        for network in program.networks.values().filter(|network| is_own(&network.symbol)) {
+        let networks = program
+            .networks
+            .values()
+            .filter(|of| is_own(&of.symbol) && !(of.events.is_empty() && of.outputs.is_empty()));
+        for network in networks {
             pictures.push((network.symbol.name.clone(), view::network(program, sources, network)));
         }
     }

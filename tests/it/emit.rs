@@ -35,7 +35,7 @@ fn cases(options: &Options, seeds: impl IntoIterator<Item = u64>) -> Vec<Case> {
 }
 
 /// A `b.msd` that imports an `n.fsfn`, without the checks, which take their time where terms are smooth.
-fn only_lowered(fusion: &str, modes: &str) -> Analysis {
+pub fn only_lowered(fusion: &str, modes: &str) -> Analysis {
     let mut sources = Sources::default();
     let [b, n] = [("b.msd", modes), ("n.fsfn", fusion)].map(|(path, text)| sources.add(path, text));
     let (modes, mut findings) = parse(b, FileKind::Modes, modes);

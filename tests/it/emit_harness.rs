@@ -224,7 +224,9 @@ fn compare_columns(path: &str, plan: &NetworkPlan) -> String {
 fn drive_machine(path: &str, code: &str, plan: &Plan) -> String {
     let interface = interface(code, &plan.name);
     let fields = |name: &str| interface.fields.get(name).cloned().unwrap_or_default();
-    let position = |name: &str| plan.inputs.iter().position(|input| input.name == name).unwrap();
+    // Of `sonar[3]` the field is `sonar_3`.
+    let field_of = |name: &str| name.replace(['[', '.'], "_").replace(']', "");
+    let position = |name: &str| plan.inputs.iter().position(|input| field_of(&input.name) == name).unwrap();
     let mut inputs = String::new();
     for field in fields("Inputs") {
         match field.as_str() {

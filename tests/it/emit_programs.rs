@@ -31,7 +31,7 @@ impl Random {
     }
 
     /// The shape of a term; the terms before it are called `t` and their number.
-    fn shape(&mut self, before: u64, smooth: bool) -> String {
+    pub fn shape(&mut self, before: u64, smooth: bool) -> String {
         if smooth && self.chance(2) {
             return self.smooth_shape(before);
         }
@@ -105,20 +105,28 @@ struct Program {
     networks: Vec<(Vec<usize>, u64)>,
     /// The outputs that a behavior can name.
     outputs: Vec<String>,
+    /// The inputs of sensed networks that a behavior can name: the name, how many terms it has, and what these are of.
+    inputs: Vec<(String, u64, String)>,
 }
 
 /// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`. Programs of odd
 /// numbers have outputs.
 pub fn program(seed: u64) -> (String, String) {
     let (smooth, draws) = (seed.is_multiple_of(3), !seed.is_multiple_of(4));
-    let mut program =
-        Program { random: Random(seed), smooth, draws, terms: Vec::new(), networks: Vec::new(), outputs: Vec::new() };
+    let (terms, networks, outputs, inputs) = Default::default();
+    let mut program = Program { random: Random(seed), smooth, draws, terms, networks, outputs, inputs };
     let fusion = program.fusion(seed % 2 == 1);
     let modes = program.behavior();
     (fusion, modes)
 }
 
 const SENSORS: usize = 4;
+
+/// What feeds networks and is compared: sensors, elements of an array, logical sensors.
+const READINGS: [&str; 9] = ["s0", "s1", "s2", "s3", "a[0]", "a[2]", "nearest", "middle", "average"];
+
+/// What is true or false without any network.
+const CONTACTS: [&str; 5] = ["c", "b[0]", "b[1]", "touched", "held"];
 
 impl Program {
     fn fusion(&mut self, has_outputs: bool) -> String {
@@ -280,15 +288,79 @@ impl Program {
         let event = self.random.below(events);
         let sense = self.random.one_of(&["n", "n", "again_n"]);
         let event = format!("{sense}{network}.n{network}_e{event}");
-        let (sensor, other) = (self.random.below(SENSORS as u64), self.random.below(SENSORS as u64));
+        let (reading, other) = (self.random.one_of(&READINGS), self.random.one_of(&READINGS));
         let operator = self.random.one_of(&["<", "<=", ">", ">=", "==", "!="]);
-        match self.random.below(7) {
-            0 => format!("s{sensor} {operator} {}", 1 + self.random.below(9)),
-            1 => format!("s{sensor} {operator} s{other}"),
-            2 => format!("failed(s{sensor})"),
+        match self.random.below(9) {
+            0 => format!("{reading} {operator} {}", 1 + self.random.below(9)),
+            1 => format!("{reading} {operator} {other}"),
+            2 => format!("failed({})", self.random.one_of(&[reading, "a", "a[0..1]", "c", "held"])),
             3 => "done".to_owned(),
+            4 => self.random.one_of(&CONTACTS).to_owned(),
+            5 if !self.smooth => self.is_term(),
             _ => event,
         }
+    }
+
+    fn is_term(&mut self) -> String {
+        let (input, terms, _) = self.random.one_of(&self.inputs);
+        let term = self.random.below(terms);
+        let terms = self.random.one_of(&[format!("t{term}"), format!("any of {{t0, t{term}}}")]);
+        format!("{input} is {terms}")
+    }
+
+    /// A decision table with one row for every case.
+    fn table(&mut self, flags: u64) -> String {
+        let (mut columns, mut known, mut rows) = (Vec::new(), Vec::new(), vec![Vec::new()]);
+        for _ in 0..=self.random.below(3) {
+            let (column, values) = match self.random.below(5) {
+                0 if flags > 0 => (format!("f{}", self.random.below(flags)), None),
+                1 => (format!("failed({})", self.random.one_of(&READINGS)), None),
+                2 if !self.smooth => (self.is_term(), None),
+                3 => (self.random.one_of(&CONTACTS).to_owned(), None),
+                _ if self.smooth => (self.random.one_of(&CONTACTS).to_owned(), None),
+                _ => {
+                    let (input, terms, of) = self.random.one_of(&self.inputs);
+                    if known.contains(&of) {
+                        continue;
+                    }
+                    known.push(of);
+                    (input, Some(terms))
+                }
+            };
+            if columns.contains(&column) {
+                continue;
+            }
+            let values = match values {
+                None => vec!["set".to_owned(), "clear".to_owned()],
+                Some(terms) => (0..terms).map(|term| format!("t{term}")).collect(),
+            };
+            columns.push(column);
+            let split = |row: Vec<String>, random: &mut Random| -> Vec<Vec<String>> {
+                let cut = random.below(values.len() as u64) as usize;
+                let cells = match cut {
+                    0 => vec![random.one_of(&["_", "-"]).to_owned()],
+                    _ => [&values[..cut], &values[cut..]].map(|values| format!("{{{}}}", values.join(", "))).to_vec(),
+                };
+                cells.into_iter().map(|cell| [row.clone(), vec![cell]].concat()).collect()
+            };
+            rows = rows.into_iter().flat_map(|row| split(row, &mut self.random)).collect();
+        }
+        let mut text = format!(
+            "        decide ({}) {{
+",
+            columns.join(", ")
+        );
+        for row in rows {
+            let (first, second) = (self.call(), self.call());
+            let command = match self.random.below(4) {
+                0 => "nothing".to_owned(),
+                1 if self.draws => format!("either({first}, {second}, halt())"),
+                _ => first,
+            };
+            writeln!(text, "            ({}) => {command}", row.join(", ")).unwrap();
+        }
+        text + "        }
+"
     }
 
     fn condition(&mut self, flags: u64) -> String {
@@ -345,14 +417,22 @@ impl Program {
             let fails = self.random.one_of(&["", "fails 3", "fails 8, any"]);
             writeln!(text, "    {optional}sensor s{sensor}: 1 in {range} {fails}").unwrap();
         }
+        text += "    sensor a[3]: 1 in 0 .. 10 fails 4\n    sensor b[2]: contact fails set\n    sensor c: contact
+    logical nearest = min(a, s0)\n    logical farthest = max(a[1..2])\n    logical average = mean(a, s1, s2)
+    logical middle = median(s0, s1, a)\n    logical between = median(a[0, 2])\n    logical touched = any(b, c)
+    logical held = all(b)\n";
         text += "    action halt()\n    action drive(speed: m/s)\n    action arc(speed: m/s, radius: m)
     action turn(angle: deg) -> done\n    action ring(times: 1)\n}\nbehavior b on cart {\n";
         for network in 0..self.networks.len() {
             for name in ["", "again_"] {
-                let inputs =
-                    (0..self.networks[network].0.len()).map(|_| format!("s{}", self.random.below(SENSORS as u64)));
-                let inputs = inputs.collect::<Vec<_>>().join(", ");
-                writeln!(text, "    sense {name}n{network} = n{network}({inputs})").unwrap();
+                let variables = self.networks[network].0.clone();
+                let known = [READINGS.as_slice(), &["farthest", "between"]].concat();
+                let feeds: Vec<_> = variables.iter().map(|_| self.random.one_of(&known)).collect();
+                writeln!(text, "    sense {name}n{network} = n{network}({})", feeds.join(", ")).unwrap();
+                for (input, (variable, feed)) in variables.into_iter().zip(feeds).enumerate() {
+                    let of = format!("{feed} as v{variable}");
+                    self.inputs.push((format!("{name}n{network}.i{input}"), self.terms[variable], of));
+                }
             }
         }
         let flags = self.random.below(4);
@@ -375,6 +455,9 @@ impl Program {
                     let calls = if when.is_empty() { first } else { format!("{when} {{ {first}  {second} }}") };
                     writeln!(text, "        {calls}").unwrap();
                 }
+            }
+            if self.random.chance(2) {
+                text += &self.table(flags);
             }
             for priority in 1..=1 + self.random.below(4) {
                 let target = self.random.below(modes);

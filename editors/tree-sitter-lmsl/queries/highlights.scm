@@ -5,7 +5,7 @@
 (doc_comment) @comment.documentation
 
 [
-  "absent" "accuracy" "action" "activity" "after" "again" "ahead" "always" "any" "arbiter" "at" "before" "behavior"
+  "absent" "accuracy" "action" "activity" "after" "again" "ahead" "always" "any" "arbiter" "at" "beam" "before" "behavior"
   "body" "box" "clear" "client" "confirm" "contact" "contributor" "decide" "default" "detractor" "door" "duration" "else"
   "emergency" "enter" "entry" "event" "exit" "expect" "extends" "fail" "fails" "fault" "final" "flag" "from" "goal"
   "heading" "hold" "hysteresis" "import" "in" "interface" "leads" "logical" "mass" "mode" "modes" "network" "never"

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::events::named_inputs;
-use crate::analysis::modes::parts;
+use crate::analysis::modes::{self, parts};
 use crate::base::Id;
 use crate::ir::{Diagram, Expr, Mode, Op, Program, Sensor};
 
@@ -58,6 +58,8 @@ impl Looks {
 pub(in crate::analysis) struct View {
     /// Of each transition.
     pub(in crate::analysis) exits: Vec<Looks>,
+    /// Of each row of the decision table.
+    pub(in crate::analysis) rows: Vec<Looks>,
     /// The sensors whose failure the mode says what to do about: it requires them, or asks whether they have failed.
     pub(in crate::analysis) answers: BTreeSet<Id<Sensor>>,
 }
@@ -68,9 +70,13 @@ impl View {
         let of_mode = |mode: &Mode| {
             let conditions = mode.transitions.iter().map(|transition| transition.condition);
             let exits: Vec<_> = conditions.map(|condition| Looks::at(program, diagram, condition)).collect();
+            let rows = mode.decision.iter().flat_map(|table| &table.rows);
+            let rows: Vec<_> = rows.map(|row| Looks::at(program, diagram, row.condition)).collect();
             let required = mode.requires.iter().map(|(sensor, _)| *sensor);
-            let answers = required.chain(exits.iter().flat_map(|looks| &looks.failed).copied()).collect();
-            Self { exits, answers }
+            let told = exits.iter().chain(&rows).flat_map(|looks| &looks.failed).copied();
+            let mut answers: BTreeSet<_> = required.chain(told).collect();
+            answers.extend(modes::groups_within(program, diagram, &answers));
+            Self { exits, rows, answers }
         };
         diagram.modes.values().map(of_mode).collect()
     }

@@ -133,7 +133,7 @@ impl Subject<'_> {
 /// failure is known it was to be done.
 fn is_surprising(diagram: &Diagram, views: &[View], faults: &FaultSet, (mode, index): (Id<Mode>, usize)) -> bool {
     let has_failed = |sensor: &Id<Sensor>| faults.iter().any(|(failed, _)| failed == sensor);
-    let View { exits, answers } = &views[mode.index()];
+    let View { exits, answers, .. } = &views[mode.index()];
     let Looks { compared, fused, failed, .. } = &exits[index];
     let shows_it = compared.iter().chain(failed).any(has_failed) || compared.iter().chain(fused).all(has_failed);
     let is_answered = |(sensor, how): &(Id<Sensor>, Fault)| *how != Fault::Reported && answers.contains(sensor);

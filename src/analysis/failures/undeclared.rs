@@ -10,8 +10,16 @@ use crate::ir::{FailReading, Program, Robot, Sensor};
 /// Warns of the sensors of a robot that a diagram looks at, if neither they nor the variables they feed say how they
 /// fail.
 pub(in crate::analysis) fn check_robot(program: &Program, robot: &Robot, findings: &mut Vec<Diagnostic>) {
-    let says_nothing = |sensor: &Id<Sensor>| program.sensors[*sensor].fails.is_empty();
+    let says_nothing = |sensor: &Id<Sensor>| {
+        let sensor = &program.sensors[*sensor];
+        sensor.fails.is_empty() && !sensor.is_inner()
+    };
     let mut silent: BTreeSet<_> = robot.sensors.iter().copied().filter(says_nothing).collect();
+    // A logical sensor reads those it is of.
+    let members = |sensor: Id<Sensor>| match &program.sensors[sensor].group {
+        Some(group) => group.of.clone(),
+        None => vec![sensor],
+    };
     let fed = || {
         program.diagrams.values().flat_map(|diagram| &diagram.senses).flat_map(|sense| {
             let inputs = &program.networks[sense.network].inputs;
@@ -19,7 +27,8 @@ pub(in crate::analysis) fn check_robot(program: &Program, robot: &Robot, finding
                 .inputs
                 .iter()
                 .zip(inputs)
-                .map(|(sensor, input)| (*sensor, program.variables[input.variable].fails.as_slice()))
+                .flat_map(|(sensor, input)| members(*sensor).into_iter().map(|sensor| (sensor, input.variable)))
+                .map(|(sensor, variable)| (sensor, program.variables[variable].fails.as_slice()))
         })
     };
     for (sensor, fails) in fed() {
@@ -33,13 +42,18 @@ pub(in crate::analysis) fn check_robot(program: &Program, robot: &Robot, finding
     let mut used: BTreeSet<_> = fed().map(|(sensor, _): (_, &[FailReading])| sensor).collect();
     for diagram in program.diagrams.values() {
         let views = View::of_modes(program, diagram);
-        used.extend(views.iter().flat_map(|view| &view.exits).flat_map(|looks| &looks.compared).copied());
+        let looks = views.iter().flat_map(|view| view.exits.iter().chain(&view.rows));
+        used.extend(looks.flat_map(|looks| &looks.compared).flat_map(|sensor| members(*sensor)));
     }
-    findings.extend(silent.intersection(&used).map(|sensor| sensor_without_fails(&program.sensors[*sensor])));
+    // The elements of an array are declared in one place.
+    let mut found: Vec<_> = silent.intersection(&used).map(|sensor| &program.sensors[*sensor]).collect();
+    found.dedup_by_key(|sensor| sensor.symbol.span);
+    findings.extend(found.into_iter().map(sensor_without_fails));
 }
 
 fn sensor_without_fails(sensor: &Sensor) -> Diagnostic {
-    let message = format!("`{}` does not say how it fails", sensor.symbol.name);
+    let name = sensor.symbol.name.split('[').next().unwrap_or_default();
+    let message = format!("`{name}` does not say how it fails");
     let (low, high) = sensor.range;
     let reading = sensor.unit.show(crate::base::Exact::ZERO.clamp(low, high).to_f64());
     Diagnostic::new(&rules::SENSOR_WITHOUT_FAILS, sensor.symbol.span, message)

@@ -126,7 +126,8 @@ struct Sense {
 impl Group {
     fn of(program: &Program, files: &[FileId]) -> Self {
         let is_asked = |symbol: &ir::Symbol| files.contains(&symbol.span.file);
-        let diagrams = program.diagrams.iter().filter(|(_, diagram)| is_asked(&diagram.symbol)).map(|(id, _)| id);
+        let diagrams = program.diagrams.iter().filter(|(_, of)| is_asked(&of.symbol) && of.arbiter.is_none());
+        let diagrams = diagrams.map(|(id, _)| id);
         let mut group = Self { sensors: Vec::new(), senses: Vec::new(), diagrams: diagrams.collect() };
         let diagrams: Vec<_> = group.diagrams.iter().map(|&id| &program.diagrams[id]).collect();
         let mut known = Vec::new();
@@ -179,7 +180,8 @@ impl Group {
 /// The sensors that the modes of a diagram compare, or whose failure they ask for.
 fn looked_at(program: &Program, diagram: &ir::Diagram) -> BTreeSet<Id<ir::Sensor>> {
     let views = View::of_modes(program, diagram).into_iter();
-    views.flat_map(|view| view.exits.into_iter().flat_map(|looks| looks.compared).chain(view.answers)).collect()
+    let sensors = views.flat_map(|view| view.exits.into_iter().flat_map(|looks| looks.compared).chain(view.answers));
+    sensors.filter(|&sensor| !program.sensors[sensor].is_inner()).collect()
 }
 
 impl Source {

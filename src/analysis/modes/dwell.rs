@@ -79,7 +79,8 @@ pub(super) struct Gates {
 
 impl Gates {
     pub(super) fn new(scene: &Scene<'_>, mode: &Mode, faults: &FaultSet) -> Self {
-        let fails = |mode: &Mode| mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor));
+        let is_failed = |sensor| faults::is_reported(scene.program, faults, sensor);
+        let fails = |mode: &Mode| mode.requires.iter().any(|(sensor, _)| is_failed(*sensor));
         let inhibited = |target: Id<Mode>| fails(&scene.diagram.modes[target]);
         let lost = mode.otherwise.filter(|otherwise| fails(mode) && !inhibited(*otherwise));
         let open = mode.transitions.iter().map(|transition| !transition.target.is_some_and(inhibited)).collect();

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::dwell::{Case, Stay, stay};
-use super::faults::{Fault, FaultSet, fails_of_variables};
+use super::faults::{Fault, FaultSet, fails_of_variables, groups_within};
 use super::formula::{Atom, Formula, Operand};
 use super::ticks::Scene;
 use crate::base::Id;
@@ -72,7 +72,10 @@ pub(super) fn reported(scene: &Scene<'_>, mode: &Mode, formula: &Formula) -> BTr
         Atom::Failed(sensor) => Some(*sensor),
         _ => None,
     });
-    required.map(|(sensor, _)| *sensor).chain(told).collect()
+    let mut sensors = required.map(|(sensor, _)| *sensor).chain(told).collect();
+    let groups = groups_within(scene.program, scene.diagram, &sensors);
+    sensors.extend(groups);
+    sensors
 }
 
 /// The sensors of the formula's events.

@@ -62,7 +62,7 @@ pub fn fault_table(program: &Program, diagram: Id<Diagram>, up_to: usize) -> Vec
             (0..faults.len()).filter_map(|without| known.get(&except(&faults, without))).cloned().collect();
         let reached = Rc::new(table.reached(entry, &faults, &before));
         let healthy = known.get(&FaultSet::new()).unwrap_or(&reached);
-        rows.push(facts(scene.diagram, &reached, healthy));
+        rows.push(facts(&scene, &reached, healthy));
         known.insert(faults, reached);
     }
     rows
@@ -201,25 +201,26 @@ fn ways(mode: &Mode, stay: Option<&Stay>) -> Vec<(Id<Mode>, Way)> {
 }
 
 /// What is known of a diagram once everything that is reached is.
-fn facts(diagram: &Diagram, reached: &Reached, healthy: &Reached) -> Facts {
+fn facts(scene: &Scene<'_>, reached: &Reached, healthy: &Reached) -> Facts {
     let facts = |(id, mode): (Id<Mode>, &Mode)| ModeFacts {
         reachable: reached.modes.contains_key(&id),
-        inhibited: is_inhibited(mode, &reached.faults),
+        inhibited: is_inhibited(scene.program, mode, &reached.faults),
         exits: match &reached.stays[id.index()] {
             Some(stay) => stay.exits.iter().map(|exit| exit.taken.clone()).collect(),
             None => vec![Some(Way::Open); mode.transitions.len()],
         },
         trace: reached.trace(id),
     };
-    let modes = diagram.modes.iter().map(facts).collect();
-    Facts { faults: reached.faults.clone(), modes, traps: traps(diagram, reached, healthy) }
+    let modes = scene.diagram.modes.iter().map(facts).collect();
+    Facts { faults: reached.faults.clone(), modes, traps: traps(scene, reached, healthy) }
 }
 
-fn is_inhibited(mode: &Mode, faults: &FaultSet) -> bool {
-    mode.requires.iter().any(|(sensor, _)| faults::is_reported(faults, *sensor))
+fn is_inhibited(program: &Program, mode: &Mode, faults: &FaultSet) -> bool {
+    mode.requires.iter().any(|(sensor, _)| faults::is_reported(program, faults, *sensor))
 }
 
-fn traps(diagram: &Diagram, reached: &Reached, healthy: &Reached) -> Vec<Vec<Id<Mode>>> {
+fn traps(scene: &Scene<'_>, reached: &Reached, healthy: &Reached) -> Vec<Vec<Id<Mode>>> {
+    let Scene { program, diagram, .. } = *scene;
     let leads = |of: &Reached| -> Vec<Vec<Id<Mode>>> {
         let modes = diagram.modes.values().zip(&of.stays);
         modes.map(|(mode, stay)| ways(mode, stay.as_deref()).into_iter().map(|(to, _)| to).collect()).collect()
@@ -229,7 +230,9 @@ fn traps(diagram: &Diagram, reached: &Reached, healthy: &Reached) -> Vec<Vec<Id<
     let is_trap = |group: &Vec<Id<Mode>>| {
         let leaves = |leads: &[Vec<Id<Mode>>]| {
             let mut targets = group.iter().flat_map(|mode| &leads[mode.index()]);
-            targets.any(|target| !group.contains(target) && !is_inhibited(&diagram.modes[*target], &reached.faults))
+            targets.any(|target| {
+                !group.contains(target) && !is_inhibited(program, &diagram.modes[*target], &reached.faults)
+            })
         };
         let is_meant = match group.as_slice() {
             [mode] => diagram.modes[*mode].is_final,

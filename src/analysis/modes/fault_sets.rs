@@ -34,6 +34,9 @@ pub(super) fn fault_sets(
 
 /// The ways in which a sensor fails: those it declares, or its variables do, and that it is reported.
 fn faults(scene: &Scene<'_>, modes: &[Conditions<'_>], sensor: Id<Sensor>, most_stretches: usize) -> Vec<Fault> {
+    if scene.program.sensors[sensor].is_inner() {
+        return Vec::new();
+    }
     let own = &scene.program.sensors[sensor].fails;
     let of_variables = || fails_of_variables(scene.program, scene.diagram, sensor).copied().collect();
     let declared = if own.is_empty() { of_variables() } else { own.clone() };

@@ -1,5 +1,7 @@
 //! Failed sensors: which, how, and what is then read.
 
+use std::collections::BTreeSet;
+
 use crate::analysis::support::{Cut, Interval};
 use crate::base::{Exact, Id};
 use crate::ir::{Diagram, FailReading, Platform, Program, Sensor};
@@ -25,8 +27,25 @@ pub(super) fn of(faults: &FaultSet, sensor: Id<Sensor>) -> Option<Fault> {
     faults.iter().find(|(failed, _)| *failed == sensor).map(|(_, fault)| *fault)
 }
 
-pub(super) fn is_reported(faults: &FaultSet, sensor: Id<Sensor>) -> bool {
-    of(faults, sensor) == Some(Fault::Reported)
+/// Whether a sensor is known to have failed, by itself or with all of a logical sensor.
+pub(super) fn is_reported(program: &Program, faults: &FaultSet, sensor: Id<Sensor>) -> bool {
+    let concerns = |failed: Id<Sensor>| {
+        failed == sensor || program.sensors[failed].group.as_ref().is_some_and(|group| group.of.contains(&sensor))
+    };
+    faults.iter().any(|(failed, fault)| *fault == Fault::Reported && concerns(*failed))
+}
+
+/// The logical sensors all of whose members are among some sensors.
+pub(in crate::analysis) fn groups_within(
+    program: &Program,
+    diagram: &Diagram,
+    sensors: &BTreeSet<Id<Sensor>>,
+) -> Vec<Id<Sensor>> {
+    let is_within = |sensor: &Id<Sensor>| {
+        let group = program.sensors[*sensor].group.as_ref();
+        group.is_some_and(|group| group.of.iter().all(|member| sensors.contains(member)))
+    };
+    program.sensors_of(diagram.platform).into_iter().filter(is_within).collect()
 }
 
 /// The readings a sensor can give; `None` where it gives no degree at all.
@@ -48,10 +67,20 @@ pub(super) fn readings(
     }
 }
 
-/// What the machine reads for a sensor known to have failed; unknown on an interface, whose robots each say it.
+/// What the machine reads for a sensor known to have failed, or for a logical one all of whose sensors are; unknown on
+/// an interface, whose robots each say it, and where only some sensors of a logical one say it.
 pub(super) fn fail_reading(program: &Program, diagram: &Diagram, sensor: Id<Sensor>) -> Option<Exact> {
     if matches!(diagram.platform, Platform::Interface(_)) {
         return None;
+    }
+    let says = |fail: &FailReading| matches!(fail, FailReading::Value(_));
+    if let Some(group) = &program.sensors[sensor].group {
+        let saying = group.of.iter().filter(|member| program.sensors[**member].fails.iter().any(says)).count();
+        let mut by_themselves = group.of.iter().flat_map(|&member| fails_of_variables(program, diagram, member));
+        let is_told = saying == 0 && by_themselves.next().is_none();
+        if saying < group.of.len() && !(is_told && fails_of_variables(program, diagram, sensor).any(says)) {
+            return None;
+        }
     }
     let own = program.sensors[sensor].fails.iter();
     let stuck = |fail: &FailReading| match fail {

@@ -37,6 +37,7 @@ pub(super) use changes::{Change, Changes, changes};
 pub use dwell::{Clock, Moment, Way};
 pub(super) use examined::Examined;
 pub use facts::{Facts, ModeFacts, Step, fault_table};
+pub(super) use faults::groups_within;
 pub use faults::{Fault, FaultSet};
 pub(super) use formula::parts;
 pub use formula::{Atom, Formula, Node, Operand, Past};

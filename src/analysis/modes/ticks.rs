@@ -49,7 +49,7 @@ type Cell = (Interval, Exact);
 
 /// Every feasible tick; `None` where there are too many, or a number cannot be kept exactly.
 pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) -> Option<Vec<Tick>> {
-    let fixed = fixed(formula, faults);
+    let fixed = fixed(scene.program, formula, faults);
     let free: Vec<_> = (0..formula.atoms.len()).filter(|atom| is_free(&formula.atoms[*atom])).collect();
     let cells = compared(scene, formula, faults)?;
     let combinations = cells.values().map(Vec::len).try_fold(1_usize << free.len().min(16), usize::checked_mul)?;
@@ -102,8 +102,8 @@ pub(super) fn is_free(atom: &Atom) -> bool {
 }
 
 /// The atoms that the faults decide.
-fn fixed(formula: &Formula, faults: &FaultSet) -> u64 {
-    let is_failed = |atom: &Atom| matches!(atom, Atom::Failed(sensor) if faults::is_reported(faults, *sensor));
+fn fixed(program: &Program, formula: &Formula, faults: &FaultSet) -> u64 {
+    let is_failed = |atom: &Atom| matches!(atom, Atom::Failed(sensor) if faults::is_reported(program, faults, *sensor));
     formula.truth_of(is_failed)
 }
 

@@ -25,6 +25,8 @@ pub struct Robot {
     pub name: Name,
     /// The interfaces it keeps.
     pub provides: Vec<Name>,
+    /// The behavior that carries out its commands.
+    pub runs: Option<Name>,
     /// What it has.
     pub items: Vec<RobotItem>,
     /// The whole declaration.
@@ -114,6 +116,8 @@ pub enum SensorClause {
     Accuracy(Quantity),
     /// `period 60 ms`
     Period(Quantity),
+    /// `beam 15 deg`: how wide a range sensor sees
+    Beam(Quantity),
 }
 
 /// `logical front = min(sonar[21, 22, 23])`

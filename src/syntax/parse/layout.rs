@@ -210,7 +210,8 @@ impl<'a> Layout<'a> {
         }
         let next_is_word = self.kind(index + 1) == Some(Kind::Word);
         match self.word(index) {
-            "mode" if next_is_word => Some(Opener::Mode),
+            // In `explore.mode is stop` it asks where another diagram is.
+            "mode" if next_is_word && self.word(index + 1) != "is" => Some(Opener::Mode),
             "event" | "output" | "body" if next_is_word => Some(Opener::Member),
             _ => None,
         }

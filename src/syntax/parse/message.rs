@@ -234,7 +234,7 @@ fn spellings(rule: Rule) -> Vec<&'static str> {
         Rule::arbiter_item => Block::Arbiter.keywords().to_vec(),
         Rule::world_item => Block::World.keywords().to_vec(),
         Rule::scenario_item => Block::Scenario.keywords().to_vec(),
-        Rule::sensor_clause => vec!["fails", "noise", "accuracy", "period"],
+        Rule::sensor_clause => vec!["fails", "noise", "accuracy", "period", "beam"],
         Rule::event_option => vec!["over", "hysteresis", "hold", "confirm"],
         _ => phrase(rule).split('`').skip(1).step_by(2).collect(),
     }

@@ -34,7 +34,11 @@ impl Tree<'_> {
         let mut parts = Parts::of(pair);
         let name = self.next_name(&mut parts)?;
         let provides = parts.take(Rule::names).map(|names| self.names(names)).unwrap_or_default();
-        Some(Robot { doc: self.doc(span), name, provides, items: Vec::new(), span })
+        let runs = match parts.take(Rule::runs_clause) {
+            Some(clause) => Some(self.next_name(&mut Parts::of(clause))?),
+            None => None,
+        };
+        Some(Robot { doc: self.doc(span), name, provides, runs, items: Vec::new(), span })
     }
 
     fn robot_block(&mut self, pair: Pair<'_>) -> Option<Vec<RobotItem>> {
@@ -99,6 +103,7 @@ impl Tree<'_> {
             Rule::source => Some(SensorClause::Source(self.path(Parts::of(clause).take(Rule::path)?))),
             Rule::noise => self.clause_quantity(clause).map(SensorClause::Noise),
             Rule::accuracy => self.clause_quantity(clause).map(SensorClause::Accuracy),
+            Rule::beam => self.clause_quantity(clause).map(SensorClause::Beam),
             _ => self.clause_quantity(clause).map(SensorClause::Period),
         }
     }

@@ -66,7 +66,7 @@ impl Chart {
         let sensor = |(sensor, _): &(Id<Sensor>, Span)| program.sensors[*sensor].symbol.name.clone();
         let of_mode = |mode: &Mode| ModeBox {
             name: mode.symbol.name.clone(),
-            commands: mode.actions.iter().map(|call: &Call| on_one_line(sources.slice(call.span))).collect(),
+            commands: commands(sources, mode),
             requires: mode.requires.iter().map(sensor).collect(),
             is_final: mode.is_final,
             is_lost: false,
@@ -116,4 +116,10 @@ impl Chart {
 fn on_one_line(text: &str) -> String {
     let code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
     code.flat_map(str::split_whitespace).collect::<Vec<_>>().join(" ")
+}
+
+/// What a mode does, a line each; of a decision table what it looks at.
+fn commands(sources: &Sources, mode: &Mode) -> Vec<String> {
+    let decided = mode.decision.iter().map(|table| format!("decide ({})", on_one_line(sources.slice(table.span))));
+    mode.actions.iter().map(|call: &Call| on_one_line(sources.slice(call.span))).chain(decided).collect()
 }

@@ -4,7 +4,7 @@ use super::Lines;
 use super::condition::Conditions;
 use super::fusion::fails;
 use crate::base::Id;
-use crate::ir::{Argument, Call, Diagram, Layer, Platform, Program, Robot, Sense, Sensor};
+use crate::ir::{Argument, Call, Diagram, Group, Layer, Platform, Program, Robot, Sense, Sensor};
 
 pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
     let provides: Vec<_> = robot.provides.iter().map(|id| program.interfaces[*id].symbol.name.as_str()).collect();
@@ -19,6 +19,13 @@ pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
         let period = if *period > 0 { format!(" period {period} ns") } else { String::new() };
         let rest = format!("{}{noise}{period}", fails(ways));
         lines.add(1, format_args!("{optional}sensor {}: {unit} in {low} .. {high}{rest}", symbol.name));
+    }
+    for id in &robot.logical {
+        let Sensor { symbol, group, .. } = &program.sensors[*id];
+        let Some(Group { how, of }) = group else { continue };
+        let of: Vec<_> = of.iter().map(|id| program.sensors[*id].symbol.name.as_str()).collect();
+        let how = format!("{how:?}").to_lowercase();
+        lines.add(1, format_args!("logical {} = {how} of {}", symbol.name, of.join(", ")));
     }
     for id in &robot.actions {
         let action = &program.actions[*id];
@@ -68,6 +75,11 @@ pub(super) fn diagram(lines: &mut Lines, program: &Program, diagram: &Diagram) {
                 lines.add(2, format_args!("{when}{}", command(program, diagram, call)));
             }
         }
+        for row in mode.decision.iter().flat_map(|table| &table.rows) {
+            let commands: Vec<_> = row.commands.iter().map(|call| command(program, diagram, call)).collect();
+            let commands = if commands.is_empty() { "nothing".to_owned() } else { commands.join(" or ") };
+            lines.add(2, format_args!("{} => {commands}", conditions.text(row.condition)));
+        }
         for transition in &mode.transitions {
             let target = match transition.target {
                 Some(_) if transition.again => "again",
@@ -82,6 +94,7 @@ pub(super) fn diagram(lines: &mut Lines, program: &Program, diagram: &Diagram) {
 
 fn command(program: &Program, diagram: &Diagram, call: &Call) -> String {
     let arguments = call.arguments.iter().map(|argument| match argument {
+        Argument::Reading(sensor) => program.sensors[*sensor].symbol.name.clone(),
         Argument::Constant(number) => number.to_string(),
         Argument::Random { low, high } => format!("random({low}, {high})"),
         Argument::Output { sense, output } => {

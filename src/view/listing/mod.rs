@@ -47,7 +47,7 @@ pub fn program(program: &Program) -> String {
     for robot in program.robots.values() {
         machine::robot(&mut lines, program, robot);
     }
-    for diagram in program.diagrams.values() {
+    for diagram in program.diagrams.values().filter(|diagram| diagram.arbiter.is_none()) {
         machine::diagram(&mut lines, program, diagram);
     }
     lines.0

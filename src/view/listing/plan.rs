@@ -42,6 +42,9 @@ fn diagram(lines: &mut Lines, plan: &Plan) {
         lines.add(1, when);
         steps(lines, 2, &plan.code, of.clone());
     }
+    for logical in &plan.logical {
+        lines.add(1, format_args!("logical {}: real {}", logical.name, logical.value));
+    }
     for event in &plan.events {
         let (contributor, detractor) = (event.contributor, event.detractor);
         lines.add(1, format_args!("event {}: bool {}, reals {contributor} and {detractor}", event.name, event.flag));
@@ -63,6 +66,12 @@ fn diagram(lines: &mut Lines, plan: &Plan) {
                 lines.add(2, format_args!("{when}{}", command(plan, call)));
             }
         }
+        for row in &plan.rows[span(&mode.rows)] {
+            let commands: Vec<_> = plan.calls[span(&row.calls)].iter().map(|call| command(plan, call)).collect();
+            let commands = if commands.is_empty() { "nothing".to_owned() } else { commands.join(" or ") };
+            lines.add(2, format_args!("bool {} => {commands}", row.condition));
+            steps(lines, 3, &plan.code, row.steps.clone());
+        }
         for transition in &plan.transitions[span(&mode.transitions)] {
             let (priority, target) = (transition.priority, &plan.modes[transition.target as usize].name);
             lines.add(2, format_args!("{priority}: bool {} -> {target}", transition.condition));
@@ -79,7 +88,7 @@ fn command(plan: &Plan, call: &Call) -> String {
 fn steps(lines: &mut Lines, depth: usize, code: &Code, of: Range<u32>) {
     for (index, step) in of.clone().zip(&code.steps[span(&of)]) {
         let list = match step {
-            Step::Minimum { of, .. } | Step::Maximum { of, .. } => {
+            Step::Group { of, .. } | Step::Minimum { of, .. } | Step::Maximum { of, .. } => {
                 format!(" of reals {:?}", &code.real_lists[span(of)])
             }
             Step::All { of, .. } | Step::Any { of, .. } => format!(" of bools {:?}", &code.bool_lists[span(of)]),

@@ -151,6 +151,9 @@ pub(super) fn draw(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace) {
     for wall in &trace.walls {
         svg.shape("wall", &view.line(wall.iter().copied(), 0.0));
     }
+    if !trace.hits.is_empty() {
+        svg.shape("hit", &specks(trace.hits.iter().map(|&hit| view.at(hit))));
+    }
     if let Some(goal) = trace.goal.filter(|goal| goal.iter().all(|coordinate| coordinate.is_finite())) {
         svg.shape("goal", &cross(view.at(goal)));
     }
@@ -223,6 +226,11 @@ fn dot(x: f64, y: f64) -> String {
     format!("M{} {}a2.8 2.8 0 1 0 5.6 0a2.8 2.8 0 1 0 -5.6 0", Px(x - 2.8), Px(y))
 }
 
+/// Points, which the line's round ends make visible.
+fn specks(points: impl Iterator<Item = (f64, f64)>) -> String {
+    points.map(|(x, y)| format!("M{} {}h0", Px(x), Px(y))).collect::<Vec<_>>().concat()
+}
+
 fn cross((x, y): (f64, f64)) -> String {
     let (x, y, left, top) = (Px(x), Px(y), Px(x - 6.0), Px(y - 6.0));
     format!("M{left} {y}h12M{x} {top}v12M{} {y}a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", Px(left.0 + 2.0))
@@ -263,6 +271,7 @@ fn legend(svg: &mut Svg, panel: &Panel, trace: &Trace, robot: Option<&Track<'_>>
         (boxes, "was", "box at the start"),
         (boxes, "box", "box at the end"),
         (!trace.walls.is_empty(), "wall", "wall"),
+        (!trace.hits.is_empty(), "hit", "seen by range sensors"),
         (trace.goal.is_some(), "goal", "goal"),
     ];
     let shown = entries.into_iter().filter(|(is_there, ..)| *is_there);
@@ -272,6 +281,7 @@ fn legend(svg: &mut Svg, panel: &Panel, trace: &Trace, robot: Option<&Track<'_>>
             "path" | "wall" => format!("M{x:.1} {y:.1}h18"),
             "goal" => cross((x + 9.0, y)),
             "dot" => dot(x + 9.0, y),
+            "hit" => specks([4.0, 9.0, 14.0].into_iter().map(|along| (x + along, y))),
             _ => format!("M{:.1} {:.1}h18v9h-18Z", x, y - 4.5),
         };
         svg.shape(class, &sample);

@@ -23,7 +23,7 @@ const STYLE: &str = "text{font:11px \"Helvetica Neue\",Helvetica,Arial,\"DejaVu 
 path{fill:none;stroke-linejoin:round;stroke-linecap:round}\
 .frame{stroke:#444}.grid{stroke:#e6e6e6}.change{stroke:#b8b8b8;stroke-dasharray:3 3;stroke-linecap:butt}\
 .mode{stroke:#222;stroke-width:1.8}.flag{stroke:#009e73;stroke-width:1.4}.up{fill:#009e73;fill-opacity:.25}\
-.arrow{fill:#0072b2}.path{stroke:#0072b2;stroke-width:1.4}.dot{fill:#0072b2}.robot{stroke:#0072b2;stroke-width:1.8;fill:#0072b2;\
+.arrow{fill:#0072b2}.path{stroke:#0072b2;stroke-width:1.4}.dot{fill:#0072b2}.hit{stroke:#cc79a7;stroke-width:2}.robot{stroke:#0072b2;stroke-width:1.8;fill:#0072b2;\
 fill-opacity:.12}.then{stroke:#0072b2;stroke-width:.8;stroke-opacity:.45}.start{stroke:#0072b2;stroke-dasharray:5 3;\
 stroke-linecap:butt}.box{stroke:#b35900;stroke-width:1.6;fill:#e69f00;fill-opacity:.22}.was{stroke:#b35900;\
 stroke-dasharray:5 3;stroke-linecap:butt}.wall{stroke:#444;stroke-width:3}.goal{stroke:#009e73;stroke-width:2}";

@@ -50,10 +50,15 @@ fn is_named(column: &Column) -> bool {
     matches!(column.signal, Signal::Flag(_))
 }
 
+/// Whether a reading has a curve: the elements of arrays would be too many, and logical sensors stand for them.
+fn is_shown(column: &Column) -> bool {
+    matches!(column.signal, Signal::Reading(_) | Signal::Logical(_)) && !column.name.contains(['[', '.'])
+}
+
 /// The readings with one unit, in order of appearance, in groups that a panel can show.
 fn groups(trace: &Trace) -> Vec<Vec<&Column>> {
     let mut units: Vec<Vec<&Column>> = Vec::new();
-    for column in trace.columns.iter().filter(|column| matches!(column.signal, Signal::Reading(_))) {
+    for column in trace.columns.iter().filter(|column| is_shown(column)) {
         match units.iter_mut().find(|unit| unit.first().is_some_and(|first| first.unit == column.unit)) {
             Some(unit) => unit.push(column),
             None => units.push(vec![column]),

@@ -28,7 +28,7 @@ behavior follow on cart {
         on enter { go(printed.steering) } //~ error LM0301
         on enter { go(printed.pace) } //~ error LM0201
         on enter { go(pace) } //~ error LM0201
-        on exit { go(ahead) } //~ error LM0201
+        on exit { go(ahead) } //~ error LM0301
         1: after 5 s -> on_the_way
     }
 }

@@ -141,6 +141,29 @@ fn modes_conditions_and_commands_are_offered_where_they_belong() {
 }
 
 #[test]
+fn a_decision_table_takes_terms_and_commands() {
+    let mut client = Client::new(&[("bump.fsfn", "")]);
+    let mut table = |written: &str| in_behavior(&mut client, "MODE", &format!("decide (force, hard) {{ {written} }}"));
+    assert_eq!(table("(|"), ["_", "high", "low"]);
+    assert_eq!(table("(low, |"), ["_", "clear", "set"]);
+    assert_eq!(table("(low, _) => nothing\n ({low, h|"), ["_", "high", "low"]);
+    assert_eq!(table("(low, _) => halt()\n (high, |"), ["_", "clear", "set"]);
+    for half in ["(low, _) => |", "(low, _) => dri|", "(low, _) => either(|"] {
+        let commands = table(half);
+        assert!(
+            ["arc", "drive", "halt", "turn"].iter().all(|word| commands.contains(&(*word).to_owned())),
+            "{half}: {commands:?}"
+        );
+    }
+    assert!(table("(low, _) => |").contains(&"nothing".to_owned()));
+    let columns = in_behavior(&mut client, "MODE", "decide (|) { }");
+    assert!(
+        ["force", "pitch", "hard", "bumped"].iter().all(|word| columns.contains(&(*word).to_owned())),
+        "{columns:?}"
+    );
+}
+
+#[test]
 fn what_follows_a_behavior_speaks_of_it() {
     let mut client = Client::new(&[("lib/turns.msd", "robot other {}"), ("a.msd", "")]);
     let mut end = |written: &str| in_behavior(&mut client, "END", written);
@@ -156,7 +179,7 @@ fn what_follows_a_behavior_speaks_of_it() {
     assert!(end("property p: never |").contains(&"go".to_owned()));
     assert_eq!(end("import |"), ["a", "bump", "lib", "std"]);
     assert_eq!(end("import lib.|"), ["turns"]);
-    assert_eq!(end("import std.robots.|"), ["j5"]);
+    assert_eq!(end("import std.robots.|"), ["j5", "labmate"]);
     assert!(client.leave());
 }
 

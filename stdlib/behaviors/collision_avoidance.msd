@@ -1,0 +1,47 @@
+// Reaction control (Sobh et al. 2000, Table 1) as the text means it: with one side close, the robot turns to the other.
+// The table as it is printed turns towards what is close; that is `collision_avoidance_as_printed`. The angle of 20 deg
+// is ours.
+import std.networks.clearances
+import std.robots.labmate
+
+/// Turns away from what is close, and stops where everything is.
+behavior collision_avoidance on labmate {
+    sense clearances(right, left, front, back)
+
+    entry forward
+
+    mode forward {
+        decide (right, left, front, back) {
+            (close, close, close, close) => stop()
+            (close, close, close, far  ) => go_bkwd(0 inch)
+            (close, close, far,   _    ) => nothing
+            (close, far,   _,     _    ) => turn_left(20 deg)
+            (far,   close, _,     _    ) => turn_right(20 deg)
+            (far,   far,   close, _    ) => either(turn_left(20 deg), turn_right(20 deg))
+            (far,   far,   far,   _    ) => nothing
+        }
+        1: state is faulted  -> recover
+        2: state is backward -> backward
+    }
+    mode backward {
+        decide (right, left, front, back) {
+            (close, close, close, close) => stop()
+            (close, close, close, far  ) => nothing
+            (close, close, far,   close) => go_frwd(0 inch)
+            (close, close, far,   far  ) => nothing
+            (close, far,   _,     _    ) => turn_right(20 deg)
+            (far,   close, _,     _    ) => turn_left(20 deg)
+            (far,   far,   close, close) => either(turn_left(20 deg), turn_right(20 deg))
+            (far,   far,   close, far  ) => nothing
+            (far,   far,   far,   close) => either(turn_left(20 deg), turn_right(20 deg))
+            (far,   far,   far,   far  ) => nothing
+        }
+        1: state is faulted                       -> recover
+        2: state is any of {forward, left, right} -> forward
+    }
+    /// Out of the state that a contact leads to.
+    mode recover {
+        reset()
+        1: not state is faulted -> forward
+    }
+}
