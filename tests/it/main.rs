@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 #![allow(clippy::disallowed_methods, clippy::print_stderr, reason = "tests read files")]
 
+mod arbiters;
 mod architecture;
 mod book;
 mod charts;
