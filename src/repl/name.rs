@@ -9,7 +9,10 @@ use crate::plan::Plan;
 /// The names of a diagram that commands take.
 #[derive(Debug, Clone)]
 pub struct Names {
+    /// Sensors and logical ones; arrays stand for their elements.
     sensors: Vec<String>,
+    /// For each of them, and then for each element of an array, the inputs that it means.
+    inputs: Vec<(String, Vec<usize>)>,
     networks: Vec<String>,
     watchable: Vec<String>,
     modes: Vec<String>,
@@ -19,6 +22,7 @@ pub struct Names {
 #[derive(Debug, Clone)]
 pub(super) enum Watched<'d> {
     Input(usize),
+    Logical(usize),
     Event(usize),
     Flag(usize),
     Output(usize),
@@ -27,8 +31,21 @@ pub(super) enum Watched<'d> {
 
 impl Names {
     pub(super) fn new(plan: &Plan) -> Self {
+        let mut inputs: Vec<(String, Vec<usize>)> = Vec::new();
+        for (index, input) in plan.inputs.iter().enumerate() {
+            let name = input.name.split('[').next().unwrap_or_default();
+            match inputs.last_mut() {
+                Some((array, of)) if array == name => of.push(index),
+                _ => inputs.push((name.to_owned(), vec![index])),
+            }
+        }
+        let of = |of: &[u32]| of.iter().map(|&input| input as usize).collect();
+        inputs.extend(plan.logical.iter().map(|logical| (logical.name.clone(), of(&logical.of))));
+        let sensors = inputs.iter().map(|(name, _)| name.clone()).collect();
+        inputs.extend(plan.inputs.iter().enumerate().map(|(index, input)| (input.name.clone(), vec![index])));
         Self {
-            sensors: plan.inputs.iter().map(|input| input.name.clone()).collect(),
+            sensors,
+            inputs,
             networks: plan.senses.iter().map(|sense| sense.name.clone()).collect(),
             watchable: watchable(plan).into_iter().map(|(name, _)| name.to_owned()).collect(),
             modes: plan.modes.iter().map(|mode| mode.name.clone()).collect(),
@@ -65,8 +82,12 @@ impl Names {
         names.into_iter().flatten().map(String::as_str)
     }
 
-    pub(super) fn sensor(&self, name: &str) -> Result<usize, Refusal> {
-        find(name, &self.sensors, "sensor")
+    /// The inputs that a name means: one, those of an array, or those that a logical sensor follows from.
+    pub(super) fn sensor(&self, name: &str) -> Result<&[usize], Refusal> {
+        match self.inputs.iter().find(|(known, _)| known == name) {
+            Some((_, of)) => Ok(of),
+            None => find(name, &self.sensors, "sensor").map(|_| [].as_slice()),
+        }
     }
 
     pub(super) fn network(&self, name: &str) -> Result<usize, Refusal> {
@@ -99,10 +120,11 @@ fn find(name: &str, known: &[String], what: &str) -> Result<usize, Refusal> {
 /// where nothing else is named so.
 fn watchable<'p>(plan: &'p Plan) -> Vec<(&'p str, Watched<'static>)> {
     let inputs = plan.inputs.iter().enumerate().map(|(index, input)| (input.name.as_str(), Watched::Input(index)));
+    let logical = plan.logical.iter().enumerate().map(|(index, of)| (of.name.as_str(), Watched::Logical(index)));
     let flags = plan.flags.iter().enumerate().map(|(index, flag)| (flag.name.as_str(), Watched::Flag(index)));
     let events = plan.events.iter().enumerate().map(|(index, event)| (event.name.as_str(), Watched::Event(index)));
     let outputs = plan.outputs.iter().enumerate().map(|(index, of)| (of.name.as_str(), Watched::Output(index)));
-    let all: Vec<(&str, Watched<'static>)> = inputs.chain(flags).chain(events).chain(outputs).collect();
+    let all: Vec<(&str, Watched<'static>)> = inputs.chain(logical).chain(flags).chain(events).chain(outputs).collect();
     let alone = |name: &str| all.iter().filter(|(other, _)| short(other) == name).count() == 1;
     let shortest = |name: &'p str| if alone(short(name)) { short(name) } else { name };
     all.iter().map(|(name, watched)| (shortest(name), watched.clone())).collect()

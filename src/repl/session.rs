@@ -7,7 +7,7 @@ use super::{Refusal, load, show, why};
 use crate::base::{FileId, Id, read_quantity};
 use crate::interp::{Actuators, Evaluator, Inputs, Machine, Reading, Taken};
 use crate::ir;
-use crate::plan::{self, Checked, NetworkPlan, Plan};
+use crate::plan::{self, Checked, Input, NetworkPlan, Plan};
 use crate::sim;
 use crate::syntax::is_name;
 use crate::verify::{Number, Replay, Stretch, Told, readings};
@@ -36,13 +36,18 @@ impl<'a> Driven<'a> {
     pub fn new(checked: Checked<'a>, diagram: Id<ir::Diagram>, platform: ir::Platform, tick: u64) -> Self {
         let plan = plan::build_on(checked, diagram, platform, &[]);
         let program = checked.program();
-        let input = |sensor: &Id<ir::Sensor>| {
-            let name = &program.sensors[*sensor].symbol.name;
-            plan.inputs.iter().find(|input| input.name == *name).cloned()
-        };
         let networks = program.diagrams[diagram].senses.iter().map(|sense| {
-            let inputs = sense.inputs.iter().filter_map(input).collect();
-            NetworkPlan { name: sense.symbol.name.clone(), inputs, ..plan::build_network(checked, sense.network) }
+            let network = plan::build_network(checked, sense.network);
+            let fed = sense.inputs.iter().map(|&sensor| &program.sensors[sensor]).zip(network.inputs);
+            // A logical sensor is no input of the plan; what it reads has been made safe already.
+            let input = |(sensor, input): (&ir::Sensor, Input)| {
+                let ir::Sensor { symbol, unit, range, .. } = sensor;
+                let own = plan.inputs.iter().find(|own| own.name == symbol.name).cloned();
+                let (low, high) = (range.0.to_f64(), range.1.to_f64());
+                own.unwrap_or_else(|| Input { name: symbol.name.clone(), unit: unit.clone(), low, high, ..input })
+            };
+            let inputs = fed.map(input).collect();
+            NetworkPlan { name: sense.symbol.name.clone(), inputs, ..network }
         });
         let networks = networks.collect();
         Self { checked, diagram, platform, tick, plan, networks, twins: Plans::default() }
@@ -144,7 +149,7 @@ impl Actuators for Heard<'_> {
 impl<'d> State<'d> {
     fn new(driven: &'d Driven<'d>) -> Self {
         // A reading of 0, or of the end of the range nearest to it.
-        let rest = |input: &plan::Input| {
+        let rest = |input: &Input| {
             let number = number_at(0.0_f64.clamp(input.low, input.high), input);
             number.unwrap_or(Number { written: 0.0, si: 0.0 })
         };
@@ -308,9 +313,10 @@ impl<'d> Session<'d> {
     }
 
     fn set(&mut self, sensor: &str, value: &str) -> Result<String, Refusal> {
-        let index = self.names.sensor(sensor)?;
-        let input = &self.driven.plan.inputs[index];
+        let all = self.names.sensor(sensor)?.to_vec();
+        let Some(input) = all.first().map(|&index| &self.driven.plan.inputs[index]) else { return Ok(String::new()) };
         let unit = match input.unit.text.as_str() {
+            "contact" => "`set` or `clear`".to_owned(),
             "1" => "a plain number".to_owned(),
             text => format!("a number in {text}, or in another unit of the same kind"),
         };
@@ -326,20 +332,20 @@ impl<'d> Session<'d> {
             let (low, high) = (input.unit.show(input.low), input.unit.show(input.high));
             answer += &format!("  out of range ({low} .. {high}): taken as {}\n", input.unit.show(within));
         }
-        if self.now.failed[index] {
+        if all.iter().any(|&index| self.now.failed[index]) {
             answer += &format!("  `{sensor}` has failed: the machine does not see it before `heal {sensor}`\n");
         }
-        self.change(|now| now.values[index] = number);
+        self.change(|now| all.iter().for_each(|&index| now.values[index] = number));
         Ok(answer)
     }
 
     fn fail(&mut self, sensor: &str, failed: bool) -> Result<String, Refusal> {
-        let index = self.names.sensor(sensor)?;
-        if self.now.failed[index] == failed {
+        let all = self.names.sensor(sensor)?.to_vec();
+        if all.iter().all(|&index| self.now.failed[index] == failed) {
             let message = if failed { "has failed already" } else { "has not failed" };
             return Err(Refusal::new(format!("`{sensor}` {message}")));
         }
-        self.change(|now| now.failed[index] = failed);
+        self.change(|now| all.iter().for_each(|&index| now.failed[index] = failed));
         Ok(String::new())
     }
 
@@ -469,7 +475,7 @@ impl<'d> Session<'d> {
 }
 
 /// A number in SI as a reading of a sensor.
-pub(super) fn number_at(si: f64, input: &plan::Input) -> Option<Number> {
+pub(super) fn number_at(si: f64, input: &Input) -> Option<Number> {
     Number::new(si / input.unit.scale.to_f64(), &input.unit)
 }
 

@@ -2,8 +2,8 @@
 
 use super::name::Watched;
 use super::session::Session;
-use crate::interp::Taken;
-use crate::plan::Evidence;
+use crate::interp::{Reading, Taken};
+use crate::plan::{Evidence, Input, Real};
 use crate::report::{self, Evaluated};
 use crate::sim;
 use crate::verify::{readings, time, written};
@@ -60,8 +60,12 @@ pub(super) fn degrees(session: &Session<'_>, network: usize) -> String {
     let plan = &session.driven.networks[network];
     let all = session.now.last.as_ref().map_or_else(|| readings(&session.now.told()), |tick| tick.readings.clone());
     let inputs = session.driven.plan.inputs.iter();
-    let place = |name: &str| inputs.clone().position(|input| input.name == name).unwrap_or_default();
-    let readings: Vec<_> = plan.inputs.iter().map(|input| all[place(&input.name)]).collect();
+    let machine = &session.now.machine;
+    let reading = |(input, &real): (&Input, &Real)| {
+        let place = inputs.clone().position(|own| own.name == input.name);
+        place.map_or_else(|| Reading { value: machine.real(real), healthy: true }, |place| all[place])
+    };
+    let readings: Vec<_> = plan.inputs.iter().zip(&session.driven.plan.senses[network].readings).map(reading).collect();
     report::eval(&Evaluated { plan, evaluator: &session.now.evaluators[network], readings: &readings }, session.color)
 }
 
@@ -73,6 +77,7 @@ pub(super) fn watched(session: &Session<'_>) -> String {
     let yes_no = |holds| if holds { "yes" } else { "no" };
     let said = |watched: &Watched<'_>| match *watched {
         Watched::Input(index) => evidence(Evidence::Input(index as u32)),
+        Watched::Logical(index) => evidence(Evidence::Logical(index as u32)),
         Watched::Event(index) => {
             let holds = yes_no(machine.bool(plan.events[index].flag));
             format!("{holds}: {}", evidence(Evidence::Event(index as u32)))
@@ -93,7 +98,7 @@ pub(super) fn watched_truths(session: &Session<'_>) -> Vec<Option<bool>> {
         Watched::Event(index) => Some(machine.bool(plan.events[index].flag)),
         Watched::Flag(index) => Some(machine.bool(plan.flags[index].value)),
         Watched::Condition(ref twin) => Some(twin.holds()),
-        Watched::Input(_) | Watched::Output(_) => None,
+        Watched::Input(_) | Watched::Logical(_) | Watched::Output(_) => None,
     };
     session.now.watched.iter().map(|(_, watched)| holds(watched)).collect()
 }

@@ -102,6 +102,17 @@ fn conditions_are_taken_apart() {
 }
 
 #[test]
+fn arrays_and_logical_sensors_are_set_as_one() {
+    let answer = Desk::new(&[]).drive(
+        "stdlib/behaviors/collision_avoidance.msd",
+        "set sonar = 5\nstep\nwatch front\nset front = 0.3\nset sonar[0] = 0.2\nstep\ndegrees clearances\nfail front\nstep\n\
+         heal sonar\nheal sonar\nset front_bumper = set\nset front_bumper = 3\nstep\nset nothing = 3\n",
+    );
+    assert_eq!(answer.code, 1);
+    insta::assert_snapshot!(answer.out + &answer.err);
+}
+
+#[test]
 fn an_inhibited_target_is_told_from_a_condition_that_does_not_hold() {
     let answer = Desk::new(&[]).drive(
         MANIPULATION,
