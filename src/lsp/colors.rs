@@ -44,7 +44,9 @@ pub(super) fn colors(known: &Known, file: FileId) -> Vec<SemanticToken> {
         let kind = match (token.kind, known.entity(name)) {
             (TokenKind::Number, _) => Some(SemanticTokenType::NUMBER),
             (TokenKind::Word, Some(entity)) => Some(of_entity(entity)),
-            (TokenKind::Word, None) => of_word(word),
+            // What belongs to a path, `goal.distance`, is no keyword, whatever else it may be.
+            (TokenKind::Word, None) if in_path(text, start..next) => None,
+            (TokenKind::Word, None) => of_word(word, text.get(next..).is_some_and(|rest| rest.starts_with('('))),
             _ => None,
         };
         colored.extend(kind.map(|kind| (start..next, kind, known.declared().contains_key(&name))));
@@ -66,7 +68,13 @@ fn comments(text: &str, gap: std::ops::Range<usize>, colored: &mut Vec<Colored>)
     }
 }
 
-fn of_word(word: &str) -> Option<SemanticTokenType> {
+/// Whether a word has a dot beside it, and not two, as in a range.
+fn in_path(text: &str, word: std::ops::Range<usize>) -> bool {
+    let (before, behind) = (text.get(..word.start).unwrap_or(""), text.get(word.end..).unwrap_or(""));
+    before.ends_with('.') && !before.ends_with("..") || behind.starts_with('.') && !behind.starts_with("..")
+}
+
+fn of_word(word: &str, is_called: bool) -> Option<SemanticTokenType> {
     if KEYWORDS.binary_search(&word).is_ok() {
         return Some(SemanticTokenType::KEYWORD);
     }
@@ -74,8 +82,8 @@ fn of_word(word: &str) -> Option<SemanticTokenType> {
         sema::shapes().any(|(name, _)| name == word) || sema::FUNCTIONS.iter().any(|(name, _)| *name == word);
     match (is_function, find_unit(word)) {
         (true, _) => Some(SemanticTokenType::FUNCTION),
-        (false, Some(_)) => Some(SemanticTokenType::NUMBER),
-        (false, None) => None,
+        (false, Some(_)) if !is_called => Some(SemanticTokenType::NUMBER),
+        (false, _) => None,
     }
 }
 

@@ -62,7 +62,9 @@ pub(super) fn declared(program: &Program) -> Declared {
     }
     program.interfaces.iter().for_each(|(id, interface)| add(&interface.symbol, Entity::Interface(id)));
     program.robots.iter().for_each(|(id, robot)| add(&robot.symbol, Entity::Robot(id)));
-    program.sensors.iter().for_each(|(id, sensor)| add(&sensor.symbol, Entity::Sensor(id)));
+    // What tells of the robot itself is declared nowhere.
+    let measuring = program.sensors.iter().filter(|(_, sensor)| !sensor.is_inner());
+    measuring.for_each(|(id, sensor)| add(&sensor.symbol, Entity::Sensor(id)));
     for (id, action) in program.actions.iter() {
         add(&action.symbol, Entity::Action(id));
         action.parameters.iter().enumerate().for_each(|(at, named)| add(&named.symbol, Entity::Parameter(id, at)));

@@ -284,7 +284,10 @@ impl Lower<'_> {
                 let network = scene.sense_networks.get(*sense as usize).map(|&network| &self.program.networks[network]);
                 network.and_then(|network| network.events.get(*event as usize)).map(|event| event.symbol.span)
             }
-            Op::Sensor(sensor) => Some(self.program.sensors[*sensor].symbol.span),
+            Op::Sensor(sensor) => {
+                let sensor = &self.program.sensors[*sensor];
+                (!sensor.is_inner()).then_some(sensor.symbol.span)
+            }
             Op::InMode(mode) => scene.mode_places.get(mode.index()).copied(),
             _ => None,
         };

@@ -472,9 +472,13 @@ impl Lower<'_> {
 
     /// Notes that a name reads a sensor.
     pub(super) fn reads(&mut self, name: &ast::Name, sensor: Id<ir::Sensor>) {
-        let declared = self.program.sensors[sensor].symbol.span;
-        self.read.insert(declared);
-        self.refers(name.span, declared);
+        let sensor = &self.program.sensors[sensor];
+        // What tells of the robot itself is declared nowhere.
+        if !sensor.is_inner() {
+            let declared = sensor.symbol.span;
+            self.read.insert(declared);
+            self.refers(name.span, declared);
+        }
     }
 
     /// The sensor of that name, without a report.
