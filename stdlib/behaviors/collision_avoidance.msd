@@ -8,6 +8,9 @@ import std.robots.labmate
 behavior collision_avoidance on labmate {
     sense clearances(right, left, front, back)
 
+    /// No way to go.
+    flag enclosed = right is close and left is close and front is close and back is close
+
     entry forward
 
     mode forward {
@@ -21,7 +24,8 @@ behavior collision_avoidance on labmate {
             (far,   far,   far,   _    ) => nothing
         }
         1: state is faulted  -> recover
-        2: state is backward -> backward
+        2: enclosed          -> deadlock
+        3: state is backward -> backward
     }
     mode backward {
         decide (right, left, front, back) {
@@ -37,7 +41,13 @@ behavior collision_avoidance on labmate {
             (far,   far,   far,   far  ) => nothing
         }
         1: state is faulted                       -> recover
-        2: state is any of {forward, left, right} -> forward
+        2: enclosed                               -> deadlock
+        3: state is any of {forward, left, right} -> forward
+    }
+    mode deadlock {
+        stop()
+        1: state is faulted -> recover
+        2: not enclosed     -> forward
     }
     /// Out of the state that a contact leads to.
     mode recover {

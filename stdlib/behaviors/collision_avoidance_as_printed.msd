@@ -7,6 +7,9 @@ import std.robots.labmate
 behavior collision_avoidance_as_printed on labmate {
     sense clearances(right, left, front, back)
 
+    /// No way to go.
+    flag enclosed = right is close and left is close and front is close and back is close
+
     entry forward
 
     mode forward {
@@ -20,7 +23,8 @@ behavior collision_avoidance_as_printed on labmate {
             (far,   far,   far,   _    ) => nothing
         }
         1: state is faulted  -> recover
-        2: state is backward -> backward
+        2: enclosed          -> deadlock
+        3: state is backward -> backward
     }
     mode backward {
         decide (right, left, front, back) {
@@ -36,7 +40,13 @@ behavior collision_avoidance_as_printed on labmate {
             (far,   far,   far,   far  ) => nothing
         }
         1: state is faulted                       -> recover
-        2: state is any of {forward, left, right} -> forward
+        2: enclosed                               -> deadlock
+        3: state is any of {forward, left, right} -> forward
+    }
+    mode deadlock {
+        stop()
+        1: state is faulted -> recover
+        2: not enclosed     -> forward
     }
     /// Out of the state that a contact leads to.
     mode recover {

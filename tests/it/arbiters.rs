@@ -160,6 +160,12 @@ fn the_log_reads_as_the_papers() {
 }
 
 #[test]
+fn a_deadlock_is_named_in_the_log() {
+    let trace = trace("examples/labmate/deadlock.msd");
+    assert!(trace.log.iter().any(|entry| entry.text == "Accepted STOP from 1 (avoid: deadlock)"), "{:?}", trace.log);
+}
+
+#[test]
 fn the_six_states_are_passed_through_idle() {
     let trace = trace("examples/labmate/table_1.msd");
     let states = trace.columns.iter().find(|column| column.name == "state").unwrap();
