@@ -55,9 +55,9 @@ behavior columns on pusher {
             (neg,  set)        => halt() //~ error LM0307
             (nag,  set,  _)    => halt() //~ error LM0201
             (zero, pos,  _)    => halt() //~ error LM0309
-            (pos,  _,    low)  => left //~ error LM0309
+            (pos,  _,    low)  => stop() //~ error LM0201
             (pos,  _,    med)  => either(halt()) //~ error LM0307
-            (pos,  _,    high) => stop() //~ error LM0201
+            (pos,  _,    high) => left //~ error LM0309
         }
         decide (bumper) { //~ error LM0310
             (_) => nothing
