@@ -17,3 +17,10 @@ scenario in_the_lab runs wandering on labmate in lab {
     place robot at (1.2 m, 5 m) heading -20 deg
     expect never front_bumper or back_bumper
 }
+
+scenario in_the_hallway runs wandering on labmate in hallway {
+    duration 10 min
+    tick 20 ms
+    place robot at (1 m, 2 m)
+    expect never front_bumper or back_bumper
+}
