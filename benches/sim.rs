@@ -108,30 +108,26 @@ fn body_along_a_wall(bencher: Bencher) {
     bencher.bench_local(|| robot.advance(TICK));
 }
 
-/// A second of a hundred careless robots, each in a hall of its own with 20 straight walls, on one core.
-#[divan::bench(sample_count = 20, sample_size = 1)]
-fn second_of_a_fleet(bencher: Bencher) {
+/// A second of a hundred careless robots, each in a hall of its own with 20 straight walls.
+fn second_of_a_fleet(bencher: Bencher, run: impl Fn(&mut [Simulation<'_>]) -> f64 + Sync) {
     let program = rover();
     let fleet = || (0..100).map(|seed| start(&program, hall(4), seed)).collect::<Vec<_>>();
-    let second = |robot: &mut Simulation<'_>| drive(robot, 100, Some(Random(1)));
-    let counter = ItemsCount::new(100_u32);
-    bencher
-        .counter(counter)
-        .with_inputs(fleet)
-        .bench_local_values(|mut fleet| fleet.iter_mut().map(second).sum::<f64>());
+    let bencher = bencher.counter(ItemsCount::new(100_u32)).with_inputs(fleet);
+    bencher.bench_local_values(|mut fleet| run(&mut fleet));
 }
 
-/// The same on all cores.
+fn second(robot: &mut Simulation<'_>) -> f64 {
+    drive(robot, 100, Some(Random(1)))
+}
+
 #[divan::bench(sample_count = 20, sample_size = 1)]
-fn second_of_a_fleet_in_parallel(bencher: Bencher) {
-    let program = rover();
-    let fleet = || (0..100).map(|seed| start(&program, hall(4), seed)).collect::<Vec<_>>();
-    let second = |robot: &mut Simulation<'_>| drive(robot, 100, Some(Random(1)));
-    let counter = ItemsCount::new(100_u32);
-    bencher
-        .counter(counter)
-        .with_inputs(fleet)
-        .bench_local_values(|mut fleet| fleet.par_iter_mut().map(second).sum::<f64>());
+fn second_of_a_fleet_on_one_core(bencher: Bencher) {
+    second_of_a_fleet(bencher, |fleet| fleet.iter_mut().map(second).sum());
+}
+
+#[divan::bench(sample_count = 20, sample_size = 1)]
+fn second_of_a_fleet_on_all_cores(bencher: Bencher) {
+    second_of_a_fleet(bencher, |fleet| fleet.par_iter_mut().map(second).sum());
 }
 
 /// Ten thousand random worlds, three seconds each; it fails where anything gets into anything else.

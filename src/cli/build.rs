@@ -84,6 +84,13 @@ impl Build {
         if analysis.checked().is_none() {
             return Err(exit_code(&analysis));
         }
+        let diagrams = analysis.program.diagrams.values().filter(|of| analysis.roots.contains(&of.symbol.span.file));
+        for arbiter in diagrams.filter(|of| of.arbiter.is_some() && !matches!(self.emit, Emit::Ir)) {
+            let name = &arbiter.symbol.name;
+            terminal.note(&format!(
+                "note: the arbiter `{name}` is left out: this version makes its clients, not the choice between them"
+            ));
+        }
         match self.emit {
             Emit::Rust => self.write(&self.rust(&analysis, terminal)?, terminal)?,
             Emit::Promela => self.models(&analysis, terminal)?,

@@ -61,9 +61,9 @@ impl Run {
         let plan = plan::build_scenario(checked, scenario);
         let mut options = RunOptions { seed: self.seed, faults: Vec::new() };
         for fault in &self.faults {
-            let fault = parse_fault(fault, scenario, &analysis.program)
+            let faults = parse_fault(fault, scenario, &analysis.program)
                 .map_err(|(message, help)| terminal.fail(&message, help.as_deref()))?;
-            options.faults.push(fault);
+            options.faults.extend(faults);
         }
         let run = sim::run(&analysis.program, &plan, scenario, &options)
             .map_err(|error| terminal.fail(&format!("`{}` cannot be run: {error}", scenario.symbol.name), None))?;
@@ -141,25 +141,30 @@ fn no_scenario(analysis: &Analysis, file: &str) -> Diagnostic {
     Diagnostic::new(&rules::NO_SCENARIO, Span::new(root, 0, 0), message).help(WRITE_ONE)
 }
 
-/// Reads `SENSOR=VALUE@TIME`. Value and time are in the sensor's unit and in seconds unless they say otherwise.
+/// Reads `SENSOR=VALUE@TIME`, for every sensor that the name stands for. Value and time are in the sensor's unit and in seconds unless they say otherwise.
 fn parse_fault(
     text: &str,
     scenario: &ir::Scenario,
     program: &ir::Program,
-) -> Result<ir::Fault, (String, Option<String>)> {
+) -> Result<Vec<ir::Fault>, (String, Option<String>)> {
     let form = || {
         (format!("`{text}` is not a fault"), Some("write SENSOR=VALUE@TIME, as in `contact_force=0N@3s`".to_owned()))
     };
     let (name, rest) = text.split_once('=').ok_or_else(form)?;
     let (value, time) = rest.split_once('@').unwrap_or((rest, "0s"));
-    let sensors = &program.robots[scenario.robot].sensors;
-    let Some(&sensor) = sensors.iter().find(|&&sensor| program.sensors[sensor].symbol.name == name) else {
+    let mut sensors = program.robots[scenario.robot].all_sensors();
+    sensors.retain(|&sensor| !program.sensors[sensor].is_inner());
+    let meant = program.measuring_named(name, &sensors);
+    let Some(&first) = meant.first() else {
         let known = sensors.iter().map(|&sensor| program.sensors[sensor].symbol.name.as_str());
+        let mut known: Vec<_> = known.map(|name| name.split('[').next().unwrap_or(name)).collect();
+        known.dedup();
+        let known = known.into_iter();
         let help =
             diag::did_you_mean(name, known.clone()).unwrap_or_else(|| format!("its sensors are: {}", listed(known)));
         return Err((format!("the robot has no sensor `{name}`"), Some(help)));
     };
-    let unit = &program.sensors[sensor].unit;
+    let unit = &program.sensors[first].unit;
     let reading = match value {
         "any" => ir::FaultReading::StuckSomewhere,
         "failed" => ir::FaultReading::Reported,
@@ -170,5 +175,6 @@ fn parse_fault(
     };
     let seconds = Unit::parse("s").and_then(|unit| read_quantity(time, &unit)).ok_or_else(form)?;
     let from = crate::base::Quantity::new(seconds, crate::base::Dimension::TIME).to_nanoseconds().ok_or_else(form)?;
-    Ok(ir::Fault { sensor, reading, window: Window { from, to: u64::MAX }, span: Span::default() })
+    let window = Window { from, to: u64::MAX };
+    Ok(meant.into_iter().map(|sensor| ir::Fault { sensor, reading, window, span: Span::default() }).collect())
 }

@@ -75,6 +75,23 @@ impl Program {
         }
     }
 
+    /// The elements of an array, among some sensors; none for what is no array. An element is named by its array and its
+    /// index in brackets.
+    pub fn elements(&self, array: &str, among: &[Id<Sensor>]) -> Vec<Id<Sensor>> {
+        let name = |id: &Id<Sensor>| self.sensors[*id].symbol.name.as_str();
+        let is_element = |id: &Id<Sensor>| name(id).strip_prefix(array).is_some_and(|index| index.starts_with('['));
+        among.iter().copied().filter(is_element).collect()
+    }
+
+    /// The sensors that measure what a name stands for, among some: one, the elements of an array, or what a logical
+    /// sensor follows from. None for a name that stands for nothing.
+    pub fn measuring_named(&self, name: &str, among: &[Id<Sensor>]) -> Vec<Id<Sensor>> {
+        match among.iter().find(|id| self.sensors[**id].symbol.name == name) {
+            Some(&id) => self.sensors[id].group.as_ref().map_or_else(|| vec![id], |group| group.of.clone()),
+            None => self.elements(name, among),
+        }
+    }
+
     /// The actions that a diagram on a robot or an interface can call.
     pub fn actions_of(&self, platform: Platform) -> &[Id<Action>] {
         match platform {

@@ -33,6 +33,18 @@ pub(crate) fn in_units((low, high): (Exact, Exact)) -> (i8, (Fraction, Fraction)
     (pi, (low.to_fraction(pi), high.to_fraction(pi)))
 }
 
+/// The readings of a range between which all of some curves are linear, its ends included, ascending.
+pub(crate) fn places<'c>(
+    curves: impl IntoIterator<Item = &'c Curve>,
+    (low, high): &'c (Fraction, Fraction),
+) -> Vec<&'c Fraction> {
+    let bends = curves.into_iter().flat_map(Curve::bends).filter(|at| low < *at && *at < high);
+    let mut places: Vec<&Fraction> = bends.chain([low, high]).collect();
+    places.sort_unstable();
+    places.dedup();
+    places
+}
+
 impl Curve {
     pub(crate) fn of_knots(knots: Vec<(Fraction, Limits)>) -> Self {
         Self { knots }

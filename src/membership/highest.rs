@@ -1,6 +1,6 @@
 //! Where each of some sets holds more of a reading than the others.
 
-use super::curve::Curve;
+use super::curve::{Curve, places};
 use crate::base::Fraction;
 
 /// Readings from one end to the other; `true` where an end belongs to them.
@@ -13,13 +13,9 @@ pub(crate) struct Stretch {
 /// For each set the readings of a range that belong to it most, ascending. Of sets that are equal somewhere the first
 /// one counts, so every reading belongs to exactly one set most.
 pub(crate) fn highest(sets: &[Curve], range: &(Fraction, Fraction)) -> Vec<Vec<Stretch>> {
-    let mut cuts: Vec<Fraction> = vec![range.0.clone(), range.1.clone()];
-    cuts.extend(sets.iter().flat_map(|set| set.bends().cloned()).filter(|at| range.0 < *at && *at < range.1));
-    cuts.sort_unstable();
-    cuts.dedup();
-    let crossings = cuts.windows(2).flat_map(|ends| crossings(sets, &ends[0], &ends[1]));
-    let crossings: Vec<_> = crossings.collect();
-    cuts.extend(crossings);
+    let places = places(sets, range);
+    let crossings = places.windows(2).flat_map(|ends| crossings(sets, ends[0], ends[1]));
+    let mut cuts: Vec<Fraction> = places.iter().copied().cloned().chain(crossings).collect();
     cuts.sort_unstable();
     cuts.dedup();
     let mut found: Vec<Vec<Stretch>> = vec![Vec::new(); sets.len()];

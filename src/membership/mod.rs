@@ -9,7 +9,7 @@ mod highest;
 mod largest;
 mod overlap;
 
-pub(crate) use curve::{Curve, Limits, in_units};
+pub(crate) use curve::{Curve, Limits, in_units, places};
 pub(crate) use function::function;
 pub(crate) use highest::{Stretch, highest};
 pub(crate) use largest::middle_of_largest;

@@ -1,6 +1,6 @@
 //! Sets that hold some values together.
 
-use super::curve::Curve;
+use super::curve::{Curve, places};
 use crate::base::Fraction;
 
 /// Some sets, by position, and the curve of the smallest of their degrees.
@@ -10,16 +10,11 @@ impl Curve {
     /// The linear pieces of it over a range: each from a value and the degree just after it to a value and the degree
     /// just before it.
     pub(crate) fn pieces(&self, range: &(Fraction, Fraction)) -> Vec<[(Fraction, Fraction); 2]> {
-        let (low, high) = range;
-        let inside = self.bends().filter(|at| low < *at && *at < high);
-        let mut places: Vec<&Fraction> = inside.chain([low, high]).collect();
-        places.sort_unstable();
-        places.dedup();
         let piece = |ends: &[&Fraction]| {
             let [from, to] = [ends[0], ends[1]];
             [(from.clone(), self.around(from).after), (to.clone(), self.around(to).before)]
         };
-        places.windows(2).map(piece).collect()
+        places([self], range).windows(2).map(piece).collect()
     }
 
     /// Whether it is above 0 on some stretch of a range.

@@ -258,7 +258,7 @@ impl Lower<'_> {
             self.report(ambiguous(name, &meanings, scene));
             return None;
         }
-        if found.is_empty() && !self.elements(&name.text, &scene.sensors).is_empty() {
+        if found.is_empty() && !self.program.elements(&name.text, &scene.sensors).is_empty() {
             self.sensor_named(name, &scene.sensors);
             return None;
         }

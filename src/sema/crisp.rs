@@ -160,7 +160,7 @@ impl Lower<'_> {
             (ast::ExprKind::Index(..), _) => self.is_contact(tree, scene)?,
             (_, Some(name)) if self.find_sensor(name, &scene.sensors).is_some() => self.is_contact(tree, scene)?,
             (_, Some(name)) => {
-                let is_array = || !self.elements(&name.text, &scene.sensors).is_empty();
+                let is_array = || !self.program.elements(&name.text, &scene.sensors).is_empty();
                 scene.names().any(|known| known == name.text) || is_array()
             }
             (_, None) => true,
@@ -187,7 +187,7 @@ impl Lower<'_> {
         if scene.incomplete || scene.unfed {
             return;
         }
-        if let Some(array) = simple(tree).filter(|name| !self.elements(&name.text, &scene.sensors).is_empty()) {
+        if let Some(array) = simple(tree).filter(|name| !self.program.elements(&name.text, &scene.sensors).is_empty()) {
             self.sensor_named(array, &scene.sensors);
             return;
         }

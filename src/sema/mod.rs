@@ -11,6 +11,7 @@ mod diagrams;
 mod doors;
 mod extends;
 mod fusion;
+mod groups;
 mod inference;
 mod linear;
 mod modes;

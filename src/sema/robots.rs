@@ -3,8 +3,7 @@
 use std::collections::HashMap;
 
 use super::quantities::mismatch;
-use super::sensors::declared_name;
-use super::sensors::told;
+use super::sensors::{declared_name, told};
 use super::{Lower, claim, counted, given, invalid, missing_part, named, symbol};
 use crate::base::{Dimension, Exact, Id, Span};
 use crate::diag::{self, Diagnostic};
@@ -106,6 +105,14 @@ impl<'a> Lower<'a> {
             }
         }
         let told = told(runs.span, states.len(), members.actions.len(), &parameters);
+        for inner in &told {
+            let own = members.sensors.iter().chain(&members.logical).map(|&id| &self.program.sensors[id].symbol);
+            let name = &inner.symbol.name;
+            if let Some(clash) = own.clone().find(|own| declared_name(&own.name) == *name) {
+                let message = format!("`{name}` is what a robot that runs a behavior tells of itself");
+                self.report(invalid(clash.span, message).label(runs.span, "runs it").help("rename the sensor"));
+            }
+        }
         members.sensors.extend(told.into_iter().map(|sensor| self.program.sensors.add(sensor)));
         let parameters = parameters.into_iter().map(|parameter| parameter.symbol.name).collect();
         ir::Drive { diagram: None, states, parameters }
@@ -119,11 +126,31 @@ impl<'a> Lower<'a> {
                 && let Some(tree) = self.find_diagram_tree_silently(runs)
             {
                 let diagram = self.scopes.diagrams.get(&tree.name.span).copied();
-                if let Some(drive) = &mut self.program.robots[robot].drive {
+                if let Some(misfit) = diagram.and_then(|diagram| self.misfit(diagram, robot, runs)) {
+                    self.report(misfit);
+                } else if let Some(drive) = &mut self.program.robots[robot].drive {
                     drive.diagram = diagram;
                 }
             }
         }
+    }
+
+    /// Why a diagram cannot carry out the commands of a robot.
+    fn misfit(&self, diagram: Id<ir::Diagram>, robot: Id<ir::Robot>, runs: &ast::Name) -> Option<Diagnostic> {
+        let diagram = &self.program.diagrams[diagram];
+        if diagram.platform != ir::Platform::Robot(robot) {
+            let robot = &self.program.robots[robot].symbol.name;
+            let message = format!("`{}` is not written for `{robot}`", runs.text);
+            return Some(Diagnostic::new(&diag::rules::WRONG_KIND, runs.span, message));
+        }
+        let is_driven = |call: &&ir::Call| {
+            let action = &self.program.actions[call.action];
+            action.same_as.as_ref().map_or(action, |(other, _)| &self.program.actions[*other]).is_driven()
+        };
+        let call = diagram.modes.values().flat_map(ir::Mode::commands).find(is_driven)?;
+        let name = &self.program.actions[call.action].symbol.name;
+        let diagnostic = invalid(call.span, format!("`{name}` is for `{}` itself to carry out", runs.text));
+        Some(diagnostic.help("call an action that is a command of the body, as in `action brake() = body.stop()`"))
     }
 
     /// Lets actions of a robot be others of its own.

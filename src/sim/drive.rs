@@ -17,7 +17,6 @@ pub(super) struct Drive<'a> {
     command: Option<(u32, Vec<f64>)>,
     /// Where its sensors tell of it, by their places.
     told: Vec<(usize, Told)>,
-    readings: Vec<Reading>,
 }
 
 /// Where an action goes.
@@ -68,33 +67,30 @@ impl<'a> Drive<'a> {
             actions: routes.collect(),
             command: None,
             told: told.collect(),
-            readings: Vec::with_capacity(robot.sensors.len()),
         }
     }
 
-    /// The readings with what the sensors tell of the robot itself. What was completed is not being carried out.
-    pub(super) fn tell(&mut self, readings: &[Reading], done: bool) -> &[Reading] {
+    /// Notes whether what the robot was told is completed, and lets its sensors tell of it.
+    pub(super) fn begin(&mut self, done: bool, readings: &mut [Reading]) {
         if done {
             self.command = None;
         }
-        self.readings.clear();
-        self.readings.extend_from_slice(readings);
-        self.write();
-        &self.readings
+        self.tell(readings);
     }
 
-    /// Lets the robot's own behavior carry out what it was told.
-    pub(super) fn step(&mut self, done: bool, dt: u64, driver: &mut Driver<'_>) {
-        self.write();
-        let Some(machine) = &mut self.machine else { return };
+    /// Lets the robot's own behavior carry out what it has been told on this tick.
+    pub(super) fn step(&mut self, done: bool, readings: &mut [Reading], dt: u64, driver: &mut Driver<'_>) {
+        self.tell(readings);
+        let Some(mut machine) = self.machine.take() else { return };
         driver.given = false;
-        let taken = machine.step(Inputs { readings: &self.readings, done }, dt, driver);
+        let taken = machine.step(Inputs { readings, done }, dt, &mut self.over(driver));
+        self.machine = Some(machine);
         if taken != Taken::Stayed && !driver.given {
             driver.body.forget_done();
         }
     }
 
-    fn write(&mut self) {
+    fn tell(&self, readings: &mut [Reading]) {
         for (place, told) in &self.told {
             let value = match (told, &self.command) {
                 (Told::State, _) => self.machine.as_ref().map_or(0.0, |machine| f64::from(machine.mode())),
@@ -105,25 +101,25 @@ impl<'a> Drive<'a> {
                 }
                 (Told::Command | Told::Argument(_), None) => 0.0,
             };
-            if let Some(reading) = self.readings.get_mut(*place) {
+            if let Some(reading) = readings.get_mut(*place) {
                 *reading = Reading { value, healthy: true };
             }
         }
     }
 
     /// Hands commands to where they go.
-    pub(super) fn over<'d>(&'d mut self, driver: &'d mut Driver<'a>) -> Commands<'d, 'a> {
+    pub(super) fn over<'d, 'r>(&'d mut self, driver: &'d mut Driver<'r>) -> Commands<'d, 'a, 'r> {
         Commands { drive: self, driver }
     }
 }
 
 /// What a machine commands a robot by.
-pub(super) struct Commands<'d, 'a> {
+pub(super) struct Commands<'d, 'a, 'r> {
     drive: &'d mut Drive<'a>,
-    driver: &'d mut Driver<'a>,
+    driver: &'d mut Driver<'r>,
 }
 
-impl Actuators for Commands<'_, '_> {
+impl Actuators for Commands<'_, '_, '_> {
     fn command(&mut self, action: u32, arguments: &[f64], start: bool) {
         let Some(route) = self.drive.actions.get(action as usize) else { return };
         if let Some((other, meant)) = route.same_as {

@@ -90,15 +90,16 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
         let dt = if number == 0 { 0 } else { tick };
         let Simulation { world, sensing, driver } = &mut simulation;
         let done = driver.body.done();
-        let readings = drive.tell(sensing.read(&driver.body, world, time), done).to_vec();
+        let readings = sensing.read(&driver.body, world, time);
+        drive.begin(done, readings);
         let dwell = machine.dwell() + dt;
         driver.given = false;
-        let taken = machine.step(Inputs { readings: &readings, done }, dt, &mut drive.over(driver));
+        let taken = machine.step(Inputs { readings, done }, dt, &mut drive.over(driver));
         if taken != Taken::Stayed && !driver.given {
             driver.body.forget_done();
         }
-        drive.step(done, dt, driver);
-        recorder.tick(time, &readings, &machine, taken, dwell, world);
+        recorder.tick(time, readings, &machine, taken, dwell, world);
+        drive.step(done, readings, dt, driver);
         recorder.see(sensing.hits(world, time));
         if number + 1 < ticks {
             simulation.advance(tick);

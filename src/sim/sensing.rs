@@ -84,7 +84,7 @@ impl<'a> Sensing<'a> {
     }
 
     /// Reads all sensors at `time`, in nanoseconds. A sensor that the body does not provide counts as failed.
-    pub(super) fn read(&mut self, body: &DifferentialDrive<'_>, world: &World, time: u64) -> &[Reading] {
+    pub(super) fn read(&mut self, body: &DifferentialDrive<'_>, world: &World, time: u64) -> &mut [Reading] {
         for (gauge, reading) in self.sensors.iter_mut().zip(&mut self.readings) {
             let Gauge { sensor, range, .. } = *gauge;
             if time >= gauge.due {
@@ -126,7 +126,7 @@ impl<'a> Sensing<'a> {
                 };
             }
         }
-        &self.readings
+        &mut self.readings
     }
 }
 

@@ -1,6 +1,10 @@
 //! Arbiters: who commands a robot, and what everybody sees of it a tick later.
 
+use lmslc::analysis::modes::{self, Facts, Fault as Failure};
+use lmslc::base::Span;
+use lmslc::driver::Analysis;
 use lmslc::interp::{Actuators, Inputs, Machine, Reading};
+use lmslc::ir::{Fault, FaultReading, Window};
 use lmslc::plan;
 use lmslc::sim::{RunOptions, run};
 use lmslc::trace::Trace;
@@ -140,9 +144,22 @@ fn clients_see_a_tick_later_who_won() {
 fn trace(path: &str) -> Trace {
     let analysis = analyze_path(path);
     assert!(!analysis.has_errors(), "{}", report(&analysis));
-    let (_, scenario) = analysis.program.scenarios.iter().next().unwrap();
+    faulted(&analysis, &[])
+}
+
+/// A run of the first scenario with silent faults: sensors by name, and what they read.
+fn faulted(analysis: &Analysis, faults: &[(&str, f64)]) -> Trace {
+    let program = &analysis.program;
+    let (_, scenario) = program.scenarios.iter().next().unwrap();
     let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
-    run(&analysis.program, &plan, scenario, &RunOptions::default()).unwrap().trace
+    let sensors = program.robots[scenario.robot].all_sensors();
+    let faults = faults.iter().flat_map(|&(name, reading)| {
+        let stuck = FaultReading::Stuck(reading);
+        let meant = program.measuring_named(name, &sensors).into_iter();
+        meant.map(move |sensor| Fault { sensor, reading: stuck, window: Window::WHOLE, span: Span::default() })
+    });
+    let options = RunOptions { faults: faults.collect(), ..RunOptions::default() };
+    run(program, &plan, scenario, &options).unwrap().trace
 }
 
 #[test]
@@ -174,4 +191,109 @@ fn the_six_states_are_passed_through_idle() {
     // idle, forward, idle, right, idle: never from one motion to another.
     assert_eq!(went[..5], [0.0, 1.0, 0.0, 3.0, 0.0]);
     assert!(went.windows(2).all(|pair| pair.contains(&0.0)), "{went:?}");
+}
+
+/// What the checker says of `deadlock` with one sensor failed is what happens in a closet: each sonar alone takes nothing
+/// away, each side as a whole keeps the deadlock from being seen.
+#[test]
+fn each_sonar_and_each_side_fail_as_the_checker_says() {
+    let analysis = analyze_path("examples/labmate/deadlock.msd");
+    let (id, avoidance) =
+        analysis.program.diagrams.iter().find(|(_, of)| of.symbol.name == "collision_avoidance").unwrap();
+    let entry = avoidance.entry.unwrap();
+    let leads = |target: Option<_>| target.is_some_and(|mode| avoidance.modes[mode].symbol.name == "deadlock");
+    let exit = avoidance.modes[entry].transitions.iter().position(|exit| leads(exit.target)).unwrap();
+    let facts = modes::fault_table(&analysis.program, id, 1);
+    let can_stop = |failed: &str| {
+        let is_it = |facts: &&Facts| {
+            matches!(facts.faults.as_slice(), [(sensor, Failure::Stuck(_))]
+            if analysis.program.sensors[*sensor].symbol.name == failed)
+        };
+        // What is not among the sets of faults makes no difference.
+        let found = facts.iter().find(is_it).or_else(|| facts.iter().find(|facts| facts.faults.is_empty()));
+        found.unwrap().modes[entry.index()].exits[exit].is_some()
+    };
+    let stops = |failed: &str| {
+        let trace = faulted(&analysis, &[(failed, 10.0)]);
+        trace.log.iter().any(|entry| entry.text.ends_with("(avoid: deadlock)"))
+    };
+    for sonar in 0..24 {
+        let sonar = format!("sonar[{sonar}]");
+        assert_eq!((can_stop(&sonar), stops(&sonar)), (true, true), "{sonar}");
+    }
+    for side in ["front", "left", "back", "right"] {
+        assert_eq!((can_stop(side), stops(side)), (false, false), "{side}");
+    }
+}
+
+/// Fig. 6: through `idle` when the command changes, into `faulted` on contact, out of it by RESET, and what only looks is
+/// allowed in every state.
+#[test]
+fn labmate_carries_out_its_commands_by_six_states() {
+    let analysis = analyze_path("stdlib/robots/labmate.msd");
+    let (id, _) = analysis.program.diagrams.iter().find(|(_, of)| of.symbol.name == "labmate_drive").unwrap();
+    let plan = plan::build_alone(analysis.checked().unwrap(), id, &[]);
+    let mut machine = Machine::new(&plan, 0);
+    let mut went = |command: &str, bumper: &str, done: bool| {
+        let number = plan.actions.iter().position(|action| action.name == command).map_or(0, |place| place + 1);
+        let reading = |name: &str| match name {
+            "command" => number as f64,
+            "command.speed" => -0.2,
+            name => f64::from(u8::from(name == bumper)),
+        };
+        let readings: Vec<_> =
+            plan.inputs.iter().map(|input| Reading { value: reading(&input.name), healthy: true }).collect();
+        machine.step(Inputs { readings: &readings, done }, 10_000_000, &mut Commands::default());
+        plan.modes[machine.mode() as usize].name.clone()
+    };
+    let expected = [
+        ("", "", "idle"),
+        ("go_frwd", "", "forward"),
+        ("read_sonar", "", "forward"),
+        ("turn_left", "", "idle"),
+        ("turn_left", "", "left"),
+        ("get_position", "", "left"),
+        ("turn_right", "", "idle"),
+        ("turn_right", "", "right"),
+        ("stop", "", "idle"),
+        ("go_bkwd", "", "backward"),
+        ("go_bkwd", "front_bumper", "backward"),
+        ("go_bkwd", "back_bumper", "faulted"),
+        ("read_sonar", "", "faulted"),
+        ("go_frwd", "", "faulted"),
+        ("reset", "", "idle"),
+        ("drive", "", "backward"),
+        ("stop", "", "idle"),
+        ("go_frwd", "", "forward"),
+        ("go_frwd", "front_bumper", "faulted"),
+    ];
+    for (tick, (command, bumper, state)) in expected.into_iter().enumerate() {
+        assert_eq!(went(command, bumper, false), state, "tick {tick}: {command}");
+    }
+    assert_eq!(went("reset", "", false), "idle");
+    assert_eq!(went("turn_left", "", false), "left");
+    assert_eq!(went("turn_left", "", true), "idle", "what is completed");
+}
+
+/// An action that is another one is that also to the behavior that carries out commands.
+#[test]
+fn a_drive_may_call_actions_by_their_other_names() {
+    let text = format!(
+        "{} scenario s runs briefly on cart {{ duration 4 s  expect never speed > 1 cm/s after 3 s  expect speed > 15 cm/s }}",
+        ROBOT
+            .replace("action brake() = body.stop()", "action brake() = body.stop()  action rest() = brake()")
+            .replace("{ brake() ", "{ rest() ")
+            .replace("sensor near", "sensor speed: m/s in -1 .. 1  fails 0  = wheel.left.speed  sensor near")
+            + "behavior briefly on cart {
+                entry start
+                mode start { go(0 m)  1: after 2 s -> finish }
+                final mode finish { stop() }
+            }"
+    );
+    let analysis = analyze_texts(&[("cart.msd", &text)]);
+    assert!(!analysis.has_errors(), "{}", report(&analysis));
+    let (_, scenario) = analysis.program.scenarios.iter().next().unwrap();
+    let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
+    let run = run(&analysis.program, &plan, scenario, &RunOptions::default()).unwrap();
+    assert!(run.verdicts.iter().all(|verdict| verdict.passed), "{:?}", run.verdicts);
 }

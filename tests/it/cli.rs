@@ -432,6 +432,34 @@ fn run_takes_its_seed_from_the_command_line() {
 }
 
 #[test]
+fn a_fault_on_the_command_line_may_be_of_a_group() {
+    let deadlock = root().join("examples/labmate/deadlock.msd");
+    let deadlock = deadlock.to_str().unwrap();
+    let project = Project::new(&[]);
+    let run = |fault: &str| project.run(&["run", deadlock, "--fault", fault]);
+    for fault in ["sonar[3]=10m", "front=10 m", "sonar=failed@1s"] {
+        let answer = run(fault);
+        assert!(answer.err.is_empty() && answer.code < 2, "{fault}: {}", answer.err);
+    }
+    assert!(run("front_bumper=set@1s").out.contains("FAILED  expected  never front_bumper or back_bumper"));
+    for unknown in ["sonar[24]=10 m", "won=set", "fronts=1 m"] {
+        let answer = run(unknown);
+        assert_eq!(answer.code, 2, "{unknown}");
+        assert!(!answer.err.contains("sonar[0]") && !answer.err.contains("`command`"), "{}", answer.err);
+    }
+}
+
+#[test]
+fn an_arbiter_that_is_not_built_is_said_to_be_left_out() {
+    let text = "import std.behaviors.simple_navigation\nimport std.robots.labmate\n\
+        behavior calm on labmate { entry rest  final mode rest { stop() } }\n\
+        arbiter both on labmate { client calm = calm priority 2  client wander = simple_navigation priority 1 }\n";
+    let answer = Project::new(&[("both.msd", text)]).run(&["build", "both.msd"]);
+    assert!(answer.out.contains("pub mod calm"), "{}", answer.err);
+    assert!(answer.err.contains("the arbiter `both` is left out"), "{}", answer.err);
+}
+
+#[test]
 fn a_fault_on_the_command_line_is_the_fault_of_a_scenario() {
     let project = Project::new(&[]);
     let (manipulation, faulted) = (example("manipulation.msd"), example("force_faulted.msd"));

@@ -6,7 +6,7 @@ use super::columns::Columns;
 use crate::analysis::support::Interval;
 use crate::base::Fraction;
 use crate::ir::FailReading;
-use crate::membership::Curve;
+use crate::membership::places;
 
 /// The cells of an input.
 #[derive(Debug, Clone)]
@@ -34,11 +34,7 @@ pub(super) struct Piece {
 impl Sensor {
     /// A sensor that can give every reading of a range.
     pub(super) fn healthy(columns: &Columns, range: &(Fraction, Fraction)) -> Self {
-        let (low, high) = range;
-        let bends = columns.curves.iter().flat_map(Curve::bends).filter(|at| low < *at && *at < high);
-        let mut places: Vec<&Fraction> = bends.chain([low, high]).collect();
-        places.sort_unstable();
-        places.dedup();
+        let places = places(&columns.curves, range);
         let around: Vec<Vec<_>> =
             places.iter().map(|at| columns.curves.iter().map(|curve| curve.around(at)).collect()).collect();
         let mut cells = Vec::with_capacity(2 * places.len());

@@ -27,6 +27,7 @@ behavior cart_drive on cart {
         roll(command.distance)
         1: not command is go -> idle
         2: state is sleepy   -> idle //~ error LM0201
+        3: failed(won)       -> idle //~ error LM0309
     }
 }
 
@@ -82,4 +83,21 @@ arbiter tied on cart {
 arbiter crowded on cart {
     client low  = onward priority 5 //~ warning LM0902
     client high = onward priority 2
+}
+
+robot twin runs cart_drive { //~ error LM0204
+    body differential_drive { mass 20 kg  size (0.6 m, 0.5 m)  track 0.4 m  traction 0.5 }
+    sensor state: m in 0 .. 1  fails 0 //~ error LM0309
+    action go()
+}
+
+robot selfish runs selfish_drive {
+    body differential_drive { mass 20 kg  size (0.6 m, 0.5 m)  track 0.4 m  traction 0.5 }
+    action go()
+}
+
+behavior selfish_drive on selfish {
+    entry ever
+
+    final mode ever { go() } //~ error LM0309
 }
