@@ -24,10 +24,16 @@ pub struct Trace {
     pub modes: Vec<String>,
     /// The position in `modes` of the mode that acted, one for each tick.
     pub mode: Vec<u32>,
+    /// Of a diagram with layers: every place it was in, as `explore.forward`.
+    pub places: Vec<String>,
+    /// The position in `places` of where it was, one for each tick; none without layers.
+    pub place: Vec<u32>,
     /// Everything that was recorded beside time and mode.
     pub columns: Vec<Column>,
     /// The changes of mode, the entry first.
     pub changes: Vec<ModeChange>,
+    /// The changes inside a mode that stayed, between positions in `places`.
+    pub inner: Vec<ModeChange>,
     /// What became of what the clients of an arbiter proposed, whenever that changed (Sobh §5).
     pub log: Vec<LogEntry>,
     /// What moved: the robot first, then the boxes. Their poses are columns.
@@ -151,6 +157,22 @@ impl Trace {
         self.columns.iter().find(|column| column.signal == signal)
     }
 
+    /// The changes of mode with the name of what was entered, those inside a mode too, by time.
+    pub fn entered(&self) -> Vec<(&ModeChange, &str)> {
+        let outer = self.changes.iter().map(|change| (change, name(&self.modes, change.to)));
+        let inner = self.inner.iter().map(|change| (change, name(&self.places, change.to)));
+        let mut entered: Vec<_> = outer.chain(inner).collect();
+        entered.sort_by_key(|(change, _)| change.time);
+        entered
+    }
+
+    /// The name of where it was on a tick, from the outermost mode inward; empty for a tick that was not.
+    pub fn at(&self, tick: usize) -> &str {
+        let (names, numbers) =
+            if self.place.is_empty() { (&self.modes, &self.mode) } else { (&self.places, &self.place) };
+        numbers.get(tick).map_or("", |&number| name(names, number))
+    }
+
     /// The columns of events and named flags, with the shortest name that tells each from the others: the event's
     /// alone where no other event or flag has it, else with its network. Costs the square of their number.
     pub fn flags(&self) -> Vec<(&str, &Column)> {
@@ -158,6 +180,11 @@ impl Trace {
         let alone = |name: &str| flags.iter().filter(|other| short(other) == name).count() == 1;
         flags.iter().map(|&column| (if alone(short(column)) { short(column) } else { &*column.name }, column)).collect()
     }
+}
+
+/// A name by its position; empty for a position that is none.
+fn name(names: &[String], number: u32) -> &str {
+    names.get(number as usize).map_or("", String::as_str)
 }
 
 /// What stands behind the last dot.

@@ -23,6 +23,7 @@ mod outputs;
 mod priorities;
 mod reachability;
 mod requirements;
+mod silent;
 mod support;
 mod vanishing_end;
 
@@ -53,7 +54,7 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
         events::check(program, id, &matters, &mut findings);
         outputs::check(program, id, faults, &mut findings);
     }
-    for diagram in program.diagrams.values().filter(|diagram| matters(&diagram.symbol)) {
+    for (id, diagram) in program.diagrams.iter().filter(|(_, diagram)| matters(&diagram.symbol)) {
         if let Some(arbiter) = &diagram.arbiter {
             if !diagram.incomplete {
                 arbiters::check(program, arbiter, &mut findings);
@@ -66,10 +67,12 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
         commands::check(diagram, program, &mut findings);
         decisions::check(diagram, &mut findings);
         reachability::check(diagram, &mut findings);
+        silent::check(diagram, program, &mut findings);
         let scene = Scene::new(program, diagram);
         if scene.is_whole() {
             let examined = modes::check(&scene, &mut findings);
             failures::check(&scene, &examined, faults, matters, &mut findings);
+            modes::check_layers(program, id, &mut findings);
         }
         events::check_noise(program, diagram, &mut findings);
         outputs::check_senses(program, diagram, &mut findings);

@@ -130,6 +130,9 @@ rules! {
     DECISION_INCOMPLETE "LM0423" "decision-incomplete" Error "a decision table without a row for some case"
     DECISION_OVERLAP "LM0424" "decision-overlap" Error "a decision table with two rows for one case"
     ROW_NEVER_CHOSEN "LM0425" "row-never-chosen" Warning "a row of a decision table that no reading fits"
+    LAYER_INVERTED "LM0426" "layer-inverted" Error "a mode that runs a diagram of its own layer or an outer one"
+    PREEMPTED "LM0427" "pre-empted-transition" Warning "a transition that an outer layer always forestalls"
+    SILENT_LAYER "LM0428" "silent-layer" Warning "a mode that runs a diagram without any command"
 
     BREAKPOINTS_OUT_OF_ORDER "LM0501" "breakpoints-out-of-order" Error "corners of a membership function that do not ascend"
     TERM_OUTSIDE_RANGE "LM0502" "term-outside-range" Warning "a term that is zero over the whole range of its variable"

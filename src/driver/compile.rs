@@ -61,8 +61,8 @@ impl Analysis {
         let diagrams = chosen
             .map(|(id, diagram)| Ok(plan::build_on(checked, id, self.platform(diagram, robot)?, &[])))
             .collect::<Result<Vec<_>, _>>()?;
-        let sensed: BTreeSet<u32> =
-            diagrams.iter().flat_map(|diagram| &diagram.senses).map(|sense| sense.network).collect();
+        let layers = diagrams.iter().flat_map(plan::Plan::layers);
+        let sensed: BTreeSet<u32> = layers.flat_map(|diagram| &diagram.senses).map(|sense| sense.network).collect();
         let networks: Vec<_> = program
             .networks
             .iter()

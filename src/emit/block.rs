@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::expression::{self, Expression};
-use super::graph::Node;
+use super::graph::{Node, part};
 use super::modes::ModeParts;
 use super::wiring::{Says, Sensed, Wiring};
 use super::{Emission, layout};
@@ -204,6 +204,7 @@ impl<'w> Block<'w> {
                 let name = sensor(*input);
                 quote! { inputs.failed.#name }
             }
+            Step::Done { .. } if !wiring.inner.is_empty() => wiring.has_ended(self.mode),
             Step::Done { .. } => quote! { inputs.done },
             Step::Compare { comparison, .. } => match operands {
                 [left, right] => return expression::compare(*comparison, left, right),
@@ -219,10 +220,12 @@ impl<'w> Block<'w> {
                 let (place, duration) = (self.elapsed(), layout::nanoseconds(*duration));
                 return Expression::comparison(quote! { #place >= #duration });
             }
+            Step::Inside { path, .. } => wiring.is_inside(self.mode, part(&wiring.graph.code.paths, path)),
             Step::InMode { mode, .. } => {
-                let variant = &wiring.modes[*mode as usize].variant;
+                let parts = &wiring.modes[*mode as usize];
+                let (variant, rest) = (&parts.variant, parts.rest());
                 let first = (*mode == wiring.plan.entry).then(|| quote! { None | });
-                quote! { matches!(self.state, #first Some(State::#variant { .. })) }
+                quote! { matches!(self.state, #first Some(State::#variant #rest)) }
             }
             Step::Rising { of, .. } | Step::Falling { of, .. } => {
                 let sets = matches!(wiring.graph.code.steps[node], Step::Rising { .. });

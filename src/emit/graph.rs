@@ -75,7 +75,8 @@ impl<'a> Graph<'a> {
             | Step::Failed { .. }
             | Step::After { .. }
             | Step::Done { .. }
-            | Step::InMode { .. } => {}
+            | Step::InMode { .. }
+            | Step::Inside { .. } => {}
             Step::Degree { of, .. }
             | Step::Complement { of, .. }
             | Step::Very { of, .. }
@@ -171,6 +172,7 @@ fn result(step: &Step) -> Value {
         | Step::After { to, .. }
         | Step::Done { to, .. }
         | Step::InMode { to, .. }
+        | Step::Inside { to, .. }
         | Step::Rising { to, .. }
         | Step::Falling { to, .. }
         | Step::Latched { to, .. }

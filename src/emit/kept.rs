@@ -21,6 +21,16 @@ pub(super) struct Field {
     pub(super) initial: Option<TokenStream>,
 }
 
+impl ModeParts {
+    /// What stands behind its variant in a pattern that looks at nothing it keeps.
+    pub(super) fn rest(&self) -> Option<TokenStream> {
+        let table = self.table.as_ref().is_some_and(|table| table.before.is_some());
+        let inner = self.inner.as_ref().is_some_and(|inner| !inner.resumes);
+        let keeps = self.timer.is_some() || !self.kept.is_empty() || !self.drawn_for_later.is_empty();
+        (keeps || table || inner).then(|| quote! { { .. } })
+    }
+}
+
 /// Whether a timer that is asked for no longer time can be 32 bits wide.
 pub(super) fn is_narrow(longest: u64) -> bool {
     u32::try_from(longest).is_ok()
@@ -59,6 +69,7 @@ impl Wiring<'_> {
         if self.keeps_time {
             fields.push(elapsed(u64::MAX));
         }
+        fields.extend(self.resumed());
         fields
     }
 
@@ -108,7 +119,9 @@ impl Wiring<'_> {
             let doc = "The row of the table that fitted on the tick before.".to_owned();
             Some(Field { doc, name, kind: table::kind(mode.rows), initial: Some(quote! { #row }) })
         });
-        mode.timer.map(elapsed).into_iter().chain(kept).chain(row).chain(drawn).collect()
+        let inner = mode.inner.as_ref().filter(|inner| !inner.resumes);
+        let inner = inner.map(|inner| self.field_of_inner(inner, "What runs inside.".to_owned()));
+        mode.timer.map(elapsed).into_iter().chain(kept).chain(row).chain(drawn).chain(inner).collect()
     }
 }
 

@@ -63,6 +63,11 @@ pub(super) fn of_diagram() -> TokenStream {
     allowed(&LINTS)
 }
 
+/// Of a method that brings up to the tick what is remembered, whatever else it does.
+pub(super) fn of_remembering() -> TokenStream {
+    quote! { #[allow(unused_variables, reason = "what is remembered goes on")] }
+}
+
 fn allowed(groups: &[(&str, &[&str])]) -> TokenStream {
     let groups = groups.iter().map(|(reason, names)| {
         let names = names.iter().filter_map(|name| name.parse::<TokenStream>().ok());

@@ -1,27 +1,23 @@
 //! The module of a diagram: its types. What a tick does stands in `step.rs`.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::network::{self, Network};
+use super::network;
 use super::wiring::{Says, Wiring};
 use super::{Emission, kernel_text, layout, lints, step};
-use crate::plan::{Action, Grouping, Plan, Step};
+use crate::plan::{Action, Grouping, Step};
 
 /// The module of a diagram.
-pub(super) fn module(
-    emission: Emission<'_>,
-    plan: &Plan,
-    name: &Ident,
-    networks: &HashMap<u32, &Network<'_>>,
-) -> TokenStream {
-    let wiring = Wiring::new(plan, networks);
+pub(super) fn module(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let (plan, name) = (wiring.plan, &wiring.module);
     let place = format!("Behavior `{}` on `{}`, {}.", plan.name, plan.robot, emission.places.place(plan.origin.span));
     let (doc, allowed, blank) = (layout::doc(&[&plan.origin.doc, &place]), lints::of_diagram(), layout::blank());
-    let (inputs, robot) = (inputs(emission, &wiring), robot(emission, &wiring));
-    let (state, machine) = (state(emission, &wiring), machine(emission, &wiring));
+    let (inputs, robot) = (inputs(emission, wiring), robot(emission, wiring));
+    let (state, machine) = (state(emission, wiring), machine(emission, wiring));
+    let adapters = wiring.adapters(emission);
     let kernel = kernel_text::import(&quote! { #inputs #machine });
     quote! {
         #blank
@@ -31,6 +27,7 @@ pub(super) fn module(
             #kernel
             #inputs
             #robot
+            #adapters
             #state
             #machine
         }
@@ -83,7 +80,7 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
             }
         })
     });
-    let methods: Vec<_> = safe.chain(logical).chain(weighed).collect();
+    let methods: Vec<_> = safe.chain(logical).chain(weighed).chain(wiring.told()).collect();
     let safe = (!methods.is_empty()).then(|| {
         let methods = layout::apart(&methods);
         quote! {

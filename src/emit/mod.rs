@@ -12,6 +12,7 @@ mod graph;
 mod inference;
 mod kept;
 mod kernel_text;
+mod layers;
 mod layout;
 mod lints;
 mod machine;
@@ -29,15 +30,18 @@ mod wiring;
 pub use lints::LINTS;
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::base::{FileId, Sources};
 use crate::plan::{NetworkPlan, Plan};
+use layers::Role;
 use names::Scope;
 use network::Network;
 use places::Places;
+use wiring::Wiring;
 
 /// The type of the emitted numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -70,7 +74,7 @@ pub struct Program<'a> {
     pub sources: &'a Sources,
     /// Networks, among them all that the diagrams sense through.
     pub networks: &'a [NetworkPlan],
-    /// Diagrams.
+    /// Diagrams; what runs inside them is emitted too.
     pub diagrams: &'a [Plan],
 }
 
@@ -88,8 +92,20 @@ pub fn rust(program: &Program<'_>, options: &Options) -> String {
     for network in &networks {
         items.extend(network::module(emission, network));
     }
-    for plan in program.diagrams {
-        items.extend(machine::module(emission, plan, &modules.snake(&plan.name), &by_position));
+    let mut plans: Vec<&Plan> = Vec::new();
+    for plan in program.diagrams.iter().flat_map(Plan::layers) {
+        if !plans.iter().any(|known| layers::is_same(known, plan)) {
+            plans.push(plan);
+        }
+    }
+    let mut wirings: Vec<Rc<Wiring<'_>>> = Vec::new();
+    for plan in &plans {
+        let known = |inner| wirings.iter().find(|wiring| layers::is_same(wiring.plan, inner)).map(Rc::clone);
+        let inner = plan.inner.iter().filter_map(known).collect();
+        let named = (modules.snake(&plan.name), Role::of(plan, &plans));
+        let wiring = Rc::new(Wiring::new(plan, named, &by_position, inner));
+        items.extend(machine::module(emission, &wiring));
+        wirings.push(wiring);
     }
     items.extend(kernel_text::module(emission, &items));
     let made_from: Vec<_> = program.roots.iter().map(|&root| layout::visible(places.path(root))).collect();

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Ident;
 
 use super::graph::{Node, part};
+use super::layers::Inner;
 use super::names::{Scope, plain};
 use super::table::{self, Table};
 use super::wiring::Wiring;
@@ -25,14 +26,17 @@ pub(super) struct ModeParts {
     /// How its decision table is named, and how many rows it has.
     pub(super) table: Option<Table>,
     pub(super) rows: usize,
+    /// What runs inside it.
+    pub(super) inner: Option<Inner>,
     /// The outputs that it needs when it is entered.
     pub(super) given: BTreeMap<Node, Ident>,
 }
 
 /// The parts of all modes, whose names are apart from some local ones.
-pub(super) fn all(wiring: &Wiring<'_>, locals: &Scope) -> Vec<ModeParts> {
+pub(super) fn all(wiring: &Wiring<'_>, locals: &mut Scope) -> Vec<ModeParts> {
+    let of_machine: Vec<_> = wiring.plan.modes.iter().map(|mode| Inner::resumed(mode, locals)).collect();
     let mut modes = Modes { variants: Scope::new(&[]), enters: Scope::new(&[]), locals };
-    wiring.plan.modes.iter().map(|mode| modes.one(mode, wiring)).collect()
+    wiring.plan.modes.iter().zip(of_machine).map(|(mode, resumed)| modes.one(mode, resumed, wiring)).collect()
 }
 
 /// What modes are named apart by.
@@ -43,7 +47,7 @@ struct Modes<'s> {
 }
 
 impl Modes<'_> {
-    fn one(&mut self, mode: &Mode, wiring: &Wiring<'_>) -> ModeParts {
+    fn one(&mut self, mode: &Mode, resumed: Option<Inner>, wiring: &Wiring<'_>) -> ModeParts {
         let plan = wiring.plan;
         let mut locals = self.locals.clone();
         let needed = &wiring.conditions(&mode.transitions) | &wiring.decisions(mode);
@@ -91,7 +95,9 @@ impl Modes<'_> {
             begins: locals.snake("begins"),
             before: table::begins(plan, mode).then(|| locals.snake("row_before")),
         });
+        let inner = resumed.or_else(|| Inner::restarted(mode, wiring, &mut locals));
         ModeParts {
+            inner,
             table,
             rows: rows.len(),
             given,

@@ -10,9 +10,10 @@ use super::expression::{self, Expression};
 use super::graph::part;
 use super::kept::is_narrow;
 use super::modes::ModeParts;
+use super::names::plain;
 use super::table::Table;
 use super::wiring::Wiring;
-use super::{Emission, layout};
+use super::{Emission, layout, lints};
 use crate::plan::{Mode, Real, Step, Transition};
 
 /// The methods that run a diagram: `step`, and one that enters each mode that something leads to.
@@ -53,6 +54,7 @@ pub(super) fn methods(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStrea
         "The first error of an action. The machine has moved, and every other action of the tick has been called.",
     ]);
     let enters = enters(emission, wiring);
+    let as_inner = as_inner(emission, wiring);
     quote! {
         #blank
         #doc
@@ -64,7 +66,122 @@ pub(super) fn methods(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStrea
         ) -> Result<Mode, R::Error> {
             #body
         }
+        #as_inner
         #enters
+    }
+}
+
+/// The methods for a diagram that runs inside another.
+fn as_inner(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let blank = layout::blank();
+    let ends = wiring.plan.modes.iter().zip(&wiring.modes).filter(|(mode, _)| mode.is_final);
+    let ends = ends.map(|(_, parts)| {
+        let (variant, rest) = (&parts.variant, parts.rest());
+        quote! { Some(State::#variant #rest) }
+    });
+    let ends: Vec<_> = ends.collect();
+    let ended = if ends.is_empty() {
+        quote! { false }
+    } else {
+        quote! { matches!(self.state, #(#ends)|*) }
+    };
+    let ended = wiring.role.is_inner.then(|| {
+        quote! {
+            #blank
+            /// Whether it is in a mode without a way out.
+            #[must_use]
+            pub const fn has_ended(&self) -> bool { #ended }
+        }
+    });
+    let leave = (wiring.role.is_inner && wiring.has_exits()).then(|| leave(emission, wiring));
+    let resume = wiring.role.is_resumed.then(|| resume(emission, wiring));
+    quote! { #ended #leave #resume }
+}
+
+/// The method that gives the last commands, when what is around takes over.
+fn leave(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let blank = layout::blank();
+    let own = wiring.plan.modes.iter().any(|mode| !mode.on_exit.is_empty());
+    let mut always = Block::new(emission, wiring, None);
+    if own {
+        always.remember();
+    }
+    let arms = wiring.plan.modes.iter().zip(&wiring.modes).filter_map(|(mode, parts)| {
+        let mut block = Block { mode: Some(parts), ..always.branch() };
+        block.bind(wiring.given(&mode.on_exit));
+        let last = calls(&block, &mode.on_exit, Time::Leaving);
+        let calls: Vec<_> = wiring.leave_inner(parts).into_iter().chain(last).collect();
+        let (variant, statements) = (&parts.variant, block.statements);
+        let calls = (!calls.is_empty()).then(|| chain(&calls))?;
+        let body = quote! { #statements #calls };
+        let used = layout::words(&body);
+        let fields = wiring.fields_of(parts, emission).into_iter().map(|field| field.name);
+        let fields: Vec<_> = fields.filter(|name| used.contains(&plain(name))).collect();
+        let rest = if fields.is_empty() { parts.rest() } else { Some(quote! { { #(#fields,)* .. } }) };
+        Some(quote! { Some(State::#variant #rest) => { #body } })
+    });
+    let (arms, always) = (arms.collect::<Vec<_>>(), always.statements);
+    let body = quote! {
+        #always
+        match &mut self.state {
+            #(#arms)*
+            _ => Ok(()),
+        }
+    };
+    let used = layout::words(&body);
+    let dt_ns = used.contains("dt_ns").then(|| quote! { let dt_ns = 0; });
+    let inputs = format_ident!("{}inputs", if used.contains("inputs") { "" } else { "_" });
+    let allowed = (!always.is_empty()).then(lints::of_remembering);
+    quote! {
+        #blank
+        /// Gives the last commands of the active mode; no time has passed since the tick before.
+        ///
+        /// # Errors
+        /// The first error of an action; every other action has been called.
+        #allowed
+        pub fn leave<R: Robot>(&mut self, #inputs: &Inputs, robot: &mut R) -> Result<(), R::Error> {
+            #dt_ns
+            #body
+        }
+    }
+}
+
+/// The method that takes it up again in the mode in which it was.
+fn resume(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
+    let blank = layout::blank();
+    let plan = wiring.plan;
+    let mut always = Block::new(emission, wiring, None);
+    always.remember();
+    let (entered, all) = (wiring.entered(), plan.modes.iter().zip(&wiring.modes).zip(0..));
+    let arms = all.filter(|(_, position)| entered.contains(position)).map(|((mode, parts), position)| {
+        let mut block = always.branch();
+        let entered = block.enter(mode, parts);
+        let (statements, variant) = (block.statements, &parts.variant);
+        let first = (position == plan.entry).then(|| quote! { None | });
+        quote! { #first Some(Mode::#variant) => { #statements #entered } }
+    });
+    let (arms, always) = (arms.collect::<Vec<_>>(), always.statements.clone());
+    // Nothing leads to these.
+    let others = (entered.len() < plan.modes.len()).then(|| quote! { Some(mode) => Ok(mode), });
+    let body = quote! {
+        #always
+        match self.mode() { #(#arms)* #others }
+    };
+    let used = layout::words(&body);
+    let dt_ns = used.contains("dt_ns").then(|| quote! { let dt_ns = 0; });
+    let inputs = format_ident!("{}inputs", if used.contains("inputs") { "" } else { "_" });
+    let allowed = (!always.is_empty()).then(lints::of_remembering);
+    quote! {
+        #blank
+        /// Enters the mode in which it was; no time has passed since the tick before.
+        ///
+        /// # Errors
+        /// As for `step`.
+        #allowed
+        pub fn resume<R: Robot>(&mut self, #inputs: &Inputs, robot: &mut R) -> Result<Mode, R::Error> {
+            #dt_ns
+            #body
+        }
     }
 }
 
@@ -99,7 +216,8 @@ fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
         let mut block = block.branch();
         block.bind(wiring.given(&mode.on_exit));
         let enter = block.enter(&plan.modes[target as usize], &wiring.modes[target as usize]);
-        let calls: Vec<_> = calls(&block, &mode.on_exit, Time::Leaving).into_iter().chain([enter]).collect();
+        let last = calls(&block, &mode.on_exit, Time::Leaving);
+        let calls: Vec<_> = wiring.leave_inner(parts).into_iter().chain(last).chain([enter]).collect();
         let (statements, calls) = (block.statements, chain(&calls));
         quote! { #statements return #calls; }
     };
@@ -124,7 +242,8 @@ fn arm(always: &Block<'_>, mode: &Mode, parts: &ModeParts) -> TokenStream {
     let fitting = block.fit(mode, parts);
     block.statements.extend(fitting);
     let commands = calls(&block, &mode.actions, Time::Staying).into_iter();
-    let act = act(parts, &commands.chain(block.decide(mode, parts, Time::Deciding)).collect::<Vec<_>>());
+    let commands = commands.chain(block.decide(mode, parts, Time::Deciding)).chain(wiring.step_inner(parts));
+    let act = act(parts, &commands.collect::<Vec<_>>());
     let statements = block.statements;
     quote! { #statements #act }
 }
@@ -145,7 +264,8 @@ impl Block<'_> {
             quote! { #row, }
         });
         let (enter, given) = (&parts.enter, parts.given.keys().map(|&node| self.value(node).tokens()));
-        quote! { self.#enter(#row #(#given,)* robot) }
+        let inputs = parts.inner.as_ref().map(|_| quote! { inputs, });
+        quote! { self.#enter(#row #(#given,)* #inputs robot) }
     }
 
     /// Statements for the row that fits while a mode lasts, and for what it draws when it begins to.
@@ -251,7 +371,10 @@ fn enters(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         });
         let block = Block::new(emission, wiring, Some(parts));
         let commands = [&mode.on_enter, &mode.actions].map(|span| calls(&block, span, Time::Entering));
-        let commands = [commands.concat(), block.decide(mode, parts, Time::Entering).into_iter().collect()].concat();
+        let (begun, begin) = wiring.begin_inner(parts).unzip();
+        let decided = block.decide(mode, parts, Time::Entering).into_iter().chain(begin).collect();
+        let commands = [commands.concat(), decided].concat();
+        let inputs = parts.inner.as_ref().map(|_| quote! { inputs: &Inputs, });
         let row = parts.table.as_ref().map(|table| {
             let (row, kind) = (&table.row, super::table::kind(parts.rows));
             quote! { #row: #kind, }
@@ -266,17 +389,33 @@ fn enters(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         });
         let drawn: Vec<_> = drawn.collect();
         let robot = format_ident!("{}", if commands.is_empty() { "_robot" } else { "robot" });
-        let (enter, state, act) = (&parts.enter, first_state(emission, wiring, parts), act(parts, &commands));
+        let (enter, state) = (&parts.enter, first_state(emission, wiring, parts));
         let (restarts, float) = (wiring.restarts(), emission.float());
         let given = parts.given.values();
+        // What runs inside gives its first commands before it is put into the state.
+        let enters = if begun.as_ref().is_some_and(|begun| !begun.is_empty()) {
+            let (commands, variant) = (chain(&commands), &parts.variant);
+            quote! {
+                #begun
+                let begun = #commands;
+                self.state = Some(#state);
+                begun?;
+                Ok(Mode::#variant)
+            }
+        } else {
+            let act = act(parts, &commands);
+            quote! {
+                self.state = Some(#state);
+                #act
+            }
+        };
         quote! {
             #blank
-            fn #enter<R: Robot>(&mut self, #row #(#given: #float,)* #robot: &mut R) -> Result<Mode, R::Error> {
+            fn #enter<R: Robot>(&mut self, #row #(#given: #float,)* #inputs #robot: &mut R) -> Result<Mode, R::Error> {
                 #(#draws)*
                 #(#drawn)*
                 #restarts
-                self.state = Some(#state);
-                #act
+                #enters
             }
         }
     });

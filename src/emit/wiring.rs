@@ -1,10 +1,12 @@
 //! What a diagram needs on every tick, what only in one of its modes, and the names of all that.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
 
 use proc_macro2::Ident;
 
 use super::graph::{Graph, Node, part};
+use super::layers::{self, Door, Role};
 use super::modes::{self, ModeParts};
 use super::names::{Scope, plain};
 use super::network::Network;
@@ -14,6 +16,8 @@ use crate::plan::{Mode, Plan, Step};
 /// A diagram taken apart: what it computes on every tick because it must be remembered, and what each mode computes
 /// when it is active.
 pub(super) struct Wiring<'a> {
+    /// The name of its module.
+    pub(super) module: Ident,
     pub(super) plan: &'a Plan,
     pub(super) graph: Graph<'a>,
     /// The fields of all sensors.
@@ -49,6 +53,11 @@ pub(super) struct Wiring<'a> {
     /// Whether the machine itself keeps the time in the mode.
     pub(super) keeps_time: bool,
     pub(super) modes: Vec<ModeParts>,
+    /// How it is run by others.
+    pub(super) role: Role,
+    /// What runs inside its modes, and how that is reached.
+    pub(super) inner: Vec<Rc<Wiring<'a>>>,
+    pub(super) doors: Vec<Door>,
 }
 
 /// How an action is called.
@@ -91,30 +100,42 @@ impl Sensed<'_> {
 const OURS: [&str; 7] = ["inputs", "dt_ns", "dt", "robot", "elapsed", "state", "random"];
 
 impl<'a> Wiring<'a> {
-    pub(super) fn new(plan: &'a Plan, networks: &HashMap<u32, &'a Network<'a>>) -> Self {
+    pub(super) fn new(
+        plan: &'a Plan,
+        (module, role): (Ident, Role),
+        networks: &HashMap<u32, &'a Network<'a>>,
+        inner: Vec<Rc<Self>>,
+    ) -> Self {
         let mut graph = Graph::new(&plan.code);
         let mut fields = Scope::new(&["failed", "done"]);
         let mut locals = Scope::new(&OURS);
+        let sensors = plan.inputs.iter().map(|input| fields.snake(&input.name)).collect();
+        let doors = layers::doors(&inner, &mut fields);
+        let required = plan.required.iter().copied();
         let mut wiring = Self {
-            sensors: plan.inputs.iter().map(|input| fields.snake(&input.name)).collect(),
+            module,
+            role,
+            sensors,
+            doors,
             senses: Vec::new(),
             events: BTreeMap::new(),
             outputs: BTreeMap::new(),
             names: HashMap::new(),
             texts: HashMap::new(),
             logical: BTreeMap::new(),
-            read: BTreeSet::new(),
+            read: inner.iter().flat_map(|inner| inner.read.iter().copied()).collect(),
             grouped: BTreeSet::new(),
-            watched: plan.required.iter().copied().collect(),
-            uses_done: false,
-            draws: !plan.draws.is_empty(),
-            actions: actions(plan),
+            watched: inner.iter().flat_map(|inner| inner.watched.iter().copied()).chain(required).collect(),
+            uses_done: inner.iter().any(|inner| inner.uses_done),
+            draws: plan.is_random(),
+            actions: actions(plan, &inner),
             always: BTreeSet::new(),
             before: BTreeMap::new(),
             kept: BTreeMap::new(),
             keeps_time: false,
             modes: Vec::new(),
             graph: Graph::new(&plan.code),
+            inner,
             plan,
         };
         for logical in &plan.logical {
@@ -161,7 +182,7 @@ impl<'a> Wiring<'a> {
         wiring.look_at(&live, &mut locals);
         wiring.always = wiring.graph.needed(wiring.remembering(&live), &BTreeSet::new());
         wiring.keep(&live, &mut locals);
-        wiring.modes = modes::all(&wiring, &locals);
+        wiring.modes = modes::all(&wiring, &mut locals);
         wiring
     }
 
@@ -245,7 +266,8 @@ impl<'a> Wiring<'a> {
                 Step::Group { .. } => {
                     self.grouped.insert(node);
                 }
-                Step::Done { .. } => self.uses_done = true,
+                // Of what runs inside a mode the machine itself knows whether it has come to its end.
+                Step::Done { .. } => self.uses_done |= self.inner.is_empty(),
                 Step::InMode { .. } => {
                     self.names.insert(node, locals.snake("in_mode"));
                 }
@@ -320,8 +342,9 @@ impl<'a> Wiring<'a> {
     }
 }
 
-fn actions(plan: &Plan) -> BTreeMap<u32, ActionNames> {
-    let used: BTreeSet<u32> = plan.calls.iter().map(|call| call.action).collect();
+fn actions(plan: &Plan, inner: &[Rc<Wiring<'_>>]) -> BTreeMap<u32, ActionNames> {
+    let of_inner = inner.iter().flat_map(|inner| inner.actions.keys().copied());
+    let used: BTreeSet<u32> = plan.calls.iter().map(|call| call.action).chain(of_inner).collect();
     let mut methods = Scope::new(&[]);
     let names = used.into_iter().filter_map(|action| {
         let declared = plan.actions.get(action as usize)?;

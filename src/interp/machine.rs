@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::arbiter::{Clients, Proposal};
 use super::memory::{Memory, Told};
 use crate::kernel;
-use crate::plan::{Arbiter, Plan, Row, Transition};
+use crate::plan::{self, Arbiter, Plan, Row, Transition};
 
 /// What a sensor says on one tick.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,6 +62,8 @@ pub struct Phase {
     memories: Vec<bool>,
     latches: Vec<bool>,
     counters: Vec<u32>,
+    /// Of what runs inside its modes, where that can matter again.
+    inner: Vec<Option<Self>>,
 }
 
 /// A diagram being run. `step` allocates nothing.
@@ -77,23 +79,85 @@ pub struct Machine<'p> {
     arguments: Vec<f64>,
     /// The clients of an arbiter; none of anything else.
     clients: Clients<'p>,
+    /// What runs inside each mode.
+    inner: Vec<Option<Self>>,
+    /// The active modes, from its own inward, as far as a condition asks for them.
+    path: Vec<u32>,
+    taken: Taken,
+    /// Nanoseconds that the mode of the tick before had been active when this tick chose.
+    lasted: u64,
 }
 
 impl<'p> Machine<'p> {
     /// A machine before its first tick. Everything random follows from `seed`.
     pub fn new(plan: &'p Plan, seed: u64) -> Self {
         let mut memory = Memory::new(&plan.code);
-        let nothing = Told { read: |_, _| None, rows: 1, done: false, dt: 0, active: plan.entry };
+        let nothing = Told { read: |_, _| None, rows: 1, done: false, dt: 0, active: plan.entry, path: &[] };
         memory.run(&plan.code, plan.constants.clone(), &plan.inputs, &nothing);
         let longest = plan.calls.iter().map(|call| call.arguments.len()).max().unwrap_or(0);
         let arguments = Vec::with_capacity(longest);
         let clients = Clients::new(plan, seed);
-        Self { plan, memory, mode: plan.entry, entered: false, row: None, random: seed, arguments, clients }
+        let inner = |run: plan::Run| Self::new(&plan.inner[run.inner as usize], 0);
+        let inner: Vec<_> = plan.modes.iter().map(|mode| mode.runs.map(inner)).collect();
+        let path = Vec::with_capacity(plan.code.paths.len());
+        let (mode, taken) = (plan.entry, Taken::Stayed);
+        Self {
+            plan,
+            memory,
+            mode,
+            entered: false,
+            row: None,
+            random: seed,
+            arguments,
+            clients,
+            inner,
+            path,
+            taken,
+            lasted: 0,
+        }
+    }
+
+    /// Back to before the first tick.
+    fn restart(&mut self, seed: u64) {
+        (self.mode, self.entered, self.row, self.random) = (self.plan.entry, false, None, seed);
+        self.memory.restart(&self.plan.code);
+        self.inner.iter_mut().flatten().for_each(|inner| inner.restart(0));
     }
 
     /// The active mode, a position in [`Plan::modes`].
     pub fn mode(&self) -> u32 {
         self.mode
+    }
+
+    /// The diagram it runs.
+    pub fn plan(&self) -> &'p Plan {
+        self.plan
+    }
+
+    /// What runs inside the active mode.
+    pub fn inner(&self) -> Option<&Self> {
+        self.inner.get(self.mode as usize)?.as_ref().filter(|inner| inner.entered)
+    }
+
+    /// Why it is where it is since the last tick.
+    pub fn taken(&self) -> Taken {
+        self.taken
+    }
+
+    /// How long the mode before had been active when the last tick chose, ns.
+    pub fn lasted(&self) -> u64 {
+        self.lasted
+    }
+
+    /// Where it is, from its own mode inward: `explore.forward`.
+    pub fn place(&self) -> String {
+        let name = &self.current().name;
+        self.inner().map_or_else(|| name.clone(), |inner| format!("{name}.{}", inner.place()))
+    }
+
+    /// Whether it or what runs inside it has entered a mode on the last tick.
+    pub fn has_moved(&self) -> bool {
+        self.taken != Taken::Stayed || self.inner().is_some_and(Self::has_moved)
     }
 
     /// Nanoseconds since the active mode was entered.
@@ -102,45 +166,108 @@ impl<'p> Machine<'p> {
     }
 
     /// A number of the last tick.
-    pub fn real(&self, real: crate::plan::Real) -> f64 {
+    pub fn real(&self, real: plan::Real) -> f64 {
         self.memory.reals(real)[0]
     }
 
     /// A truth value of the last tick.
-    pub fn bool(&self, bool: crate::plan::Bool) -> bool {
+    pub fn bool(&self, bool: plan::Bool) -> bool {
         self.memory.bools(bool)[0]
     }
 
     /// One tick, `dt` nanoseconds after the one before: sense, fuse, select, act. The first tick enters the entry mode.
-    pub fn step(&mut self, inputs: Inputs<'_>, dt: u64, actuators: &mut impl Actuators) -> Taken {
+    pub fn step<A: Actuators>(&mut self, inputs: Inputs<'_>, dt: u64, actuators: &mut A) -> Taken {
         let plan = self.plan;
-        if self.entered {
-            self.memory.dwell = self.memory.dwell.saturating_add(dt);
-        }
-        self.run(plan.fuse.clone(), inputs, dt);
+        let told = self.sense(inputs, dt);
         if let Some(arbiter) = &plan.arbiter {
-            let taken = self.arbitrate(arbiter, inputs, dt, actuators);
+            self.taken = self.arbitrate(arbiter, inputs, dt, actuators);
             self.run(plan.watch.clone(), inputs, dt);
-            return taken;
+            return self.taken;
         }
-        let taken = if self.entered { self.select(inputs, dt) } else { Taken::Entered };
-        let target = match taken {
+        self.taken = if self.entered { self.select(told, dt) } else { Taken::Entered };
+        let target = match self.taken {
             Taken::Stayed | Taken::Handed => None,
             Taken::Entered => Some(plan.entry),
             Taken::Transition(index) => plan.transitions.get(index as usize).map(|transition| transition.target),
             Taken::Lost { .. } => self.current().otherwise,
         };
-        if let Some(target) = target {
-            if self.entered {
-                self.call(self.current().on_exit.clone(), true, actuators);
+        match target {
+            Some(target) => {
+                if self.entered {
+                    self.drop_inner(inputs, actuators);
+                    self.call(self.current().on_exit.clone(), true, actuators);
+                }
+                self.enter(target);
+                self.begin(told, actuators);
             }
-            self.enter(target);
-            self.call(self.current().on_enter.clone(), true, actuators);
+            None => {
+                self.act(told, false, actuators);
+                if let Some(inner) = &mut self.inner[self.mode as usize] {
+                    inner.step(inputs, dt, actuators);
+                }
+            }
         }
-        self.call(self.current().actions.clone(), target.is_some(), actuators);
-        self.decide(inputs, dt, actuators);
-        self.run(plan.watch.clone(), inputs, dt);
-        taken
+        self.run(plan.watch.clone(), told, dt);
+        self.taken
+    }
+
+    /// What is read on a tick, and what follows from it; answers what the machine itself is told.
+    fn sense<'i>(&mut self, inputs: Inputs<'i>, dt: u64) -> Inputs<'i> {
+        if self.entered {
+            self.memory.dwell = self.memory.dwell.saturating_add(dt);
+        }
+        self.lasted = self.memory.dwell;
+        let inputs = Inputs { done: self.is_done(inputs), ..inputs };
+        self.run(self.plan.fuse.clone(), inputs, dt);
+        inputs
+    }
+
+    /// Whether what the active mode does had completed by the end of the tick before: its action, or what runs inside it.
+    fn is_done(&self, inputs: Inputs<'_>) -> bool {
+        match self.current().runs {
+            Some(_) => self.inner().is_some_and(|inner| inner.current().is_final),
+            None => inputs.done,
+        }
+    }
+
+    /// Gives the commands of a mode that has been entered, and lets begin what runs inside it.
+    fn begin<A: Actuators>(&mut self, inputs: Inputs<'_>, actuators: &mut A) {
+        self.call(self.current().on_enter.clone(), true, actuators);
+        self.act(inputs, true, actuators);
+        let Some(run) = self.current().runs else { return };
+        let Some(inner) = &mut self.inner[self.mode as usize] else { return };
+        // What had completed was something else.
+        let inputs = Inputs { done: false, ..inputs };
+        if run.resumes && inner.entered {
+            inner.resume(inputs, actuators);
+        } else {
+            inner.restart(if inner.plan.is_random() { kernel::next_random(&mut self.random) } else { 0 });
+            inner.step(inputs, 0, actuators);
+        }
+    }
+
+    /// Enters the mode in which it was when it was dropped; no transition is tried on that tick.
+    fn resume<A: Actuators>(&mut self, inputs: Inputs<'_>, actuators: &mut A) {
+        let told = self.sense(inputs, 0);
+        self.taken = Taken::Entered;
+        self.enter(self.mode);
+        self.begin(told, actuators);
+    }
+
+    /// Drops what runs inside the active mode: its last commands, the innermost first.
+    fn drop_inner<A: Actuators>(&mut self, inputs: Inputs<'_>, actuators: &mut A) {
+        let Some(inner) = &mut self.inner[self.mode as usize] else { return };
+        if inner.plan.modes.iter().any(|mode| !mode.on_exit.is_empty()) {
+            inner.sense(inputs, 0);
+        }
+        inner.drop_inner(inputs, actuators);
+        inner.call(inner.current().on_exit.clone(), true, actuators);
+    }
+
+    /// Gives the commands of every tick.
+    fn act(&mut self, inputs: Inputs<'_>, start: bool, actuators: &mut impl Actuators) {
+        self.call(self.current().actions.clone(), start, actuators);
+        self.decide(inputs, actuators);
     }
 
     /// What the clients of an arbiter proposed on the last tick, and what became of it; none of anything else.
@@ -163,8 +290,7 @@ impl<'p> Machine<'p> {
     ) -> Taken {
         self.clients.propose(arbiter, inputs, dt);
         let priorities = arbiter.clients.iter().map(|client| {
-            let holds =
-                |(_, when): &&(u32, Option<crate::plan::Bool>)| when.is_none_or(|when| self.memory.bools(when)[0]);
+            let holds = |(_, when): &&(u32, Option<plan::Bool>)| when.is_none_or(|when| self.memory.bools(when)[0]);
             client.priorities.iter().find(holds).map(|(level, _)| *level)
         });
         let winner = self.clients.choose(priorities, arbiter.ties, &mut self.random);
@@ -207,12 +333,23 @@ impl<'p> Machine<'p> {
             memories: memories.to_vec(),
             latches: latches.to_vec(),
             counters: counters.to_vec(),
+            inner: self
+                .inner
+                .iter()
+                .zip(&self.plan.modes)
+                .zip(0..)
+                .map(|((inner, mode), place)| {
+                    let matters = place == self.mode || mode.runs.is_some_and(|run| run.resumes);
+                    inner.as_ref().filter(|inner| matters && inner.entered).map(|inner| inner.phase(dt))
+                })
+                .collect(),
         }
     }
 
     /// Nanoseconds until the next timer expires, if one runs.
     pub fn next_expiry(&self) -> Option<u64> {
-        self.timers().flatten().filter(|left| *left > 0).min()
+        let inner = self.inner().and_then(Self::next_expiry);
+        self.timers().flatten().filter(|left| *left > 0).chain(inner).min()
     }
 
     /// What is left on the timer of every step that may run while the mode lasts.
@@ -223,14 +360,30 @@ impl<'p> Machine<'p> {
         steps.map(|step| self.memory.left(step))
     }
 
-    fn current(&self) -> &'p crate::plan::Mode {
+    fn current(&self) -> &'p plan::Mode {
         &self.plan.modes[self.mode as usize]
     }
 
     fn run(&mut self, steps: Range<u32>, inputs: Inputs<'_>, dt: u64) {
         let read = |input: u32, _| inputs.readings.get(input as usize).copied();
-        let told = Told { read, rows: 1, done: inputs.done, dt, active: self.mode };
+        self.note_path();
+        let told = Told { read, rows: 1, done: inputs.done, dt, active: self.mode, path: &self.path };
         self.memory.run(&self.plan.code, steps, &self.plan.inputs, &told);
+    }
+
+    /// Notes where it is and what runs inside it, where a condition asks for that.
+    fn note_path(&mut self) {
+        self.path.clear();
+        if self.plan.code.paths.is_empty() || !self.entered {
+            return;
+        }
+        let mut path = std::mem::take(&mut self.path);
+        let mut here: Option<&Self> = Some(self);
+        while let Some(machine) = here {
+            path.push(machine.mode);
+            here = machine.inner();
+        }
+        self.path = path;
     }
 
     /// The first input that a mode requires and that has failed.
@@ -272,11 +425,11 @@ impl<'p> Machine<'p> {
     }
 
     /// Gives the command of the row of the mode's decision table that fits.
-    fn decide(&mut self, inputs: Inputs<'_>, dt: u64, actuators: &mut impl Actuators) {
+    fn decide(&mut self, inputs: Inputs<'_>, actuators: &mut impl Actuators) {
         let plan = self.plan;
         for index in self.current().rows.clone() {
             let Row { steps, condition, calls, pick, draws, .. } = &plan.rows[index as usize];
-            self.run(steps.clone(), inputs, dt);
+            self.run(steps.clone(), inputs, 0);
             if !self.memory.bools(*condition)[0] {
                 continue;
             }

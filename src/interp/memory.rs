@@ -25,7 +25,7 @@ pub(super) struct Memory<const ROWS: usize> {
 }
 
 /// What a tick is told.
-pub(super) struct Told<Read> {
+pub(super) struct Told<'t, Read> {
     /// What an input reads in a row; none for a sensor that is not there.
     pub(super) read: Read,
     /// How many rows there are; what is computed of the others means nothing.
@@ -36,6 +36,8 @@ pub(super) struct Told<Read> {
     pub(super) dt: u64,
     /// The active mode.
     pub(super) active: u32,
+    /// The active modes, from the outermost inward; empty before the first tick, and where nothing asks.
+    pub(super) path: &'t [u32],
 }
 
 impl<const ROWS: usize> Memory<ROWS> {
@@ -80,6 +82,14 @@ impl<const ROWS: usize> Memory<ROWS> {
         self.bools[bool as usize][row]
     }
 
+    /// Forgets everything but what never changes.
+    pub(super) fn restart(&mut self, code: &Code) {
+        self.memories.fill(false);
+        self.stopwatches.fill(Stopwatch::default());
+        self.kept.copy_from_slice(&code.kept);
+        self.enter_mode();
+    }
+
     /// Restarts what belongs to the active mode.
     pub(super) fn enter_mode(&mut self) {
         self.dwell = 0;
@@ -110,9 +120,9 @@ impl<const ROWS: usize> Memory<ROWS> {
         code: &Code,
         steps: Range<u32>,
         inputs: &[Input],
-        told: &Told<impl Fn(u32, usize) -> Option<Reading>>,
+        told: &Told<'_, impl Fn(u32, usize) -> Option<Reading>>,
     ) {
-        let Told { read, rows, done, dt, active } = told;
+        let Told { read, rows, done, dt, active, path: here } = told;
         let (rows, dt) = (0..*rows, *dt);
         for step in &code.steps[range(&steps)] {
             match *step {
@@ -202,6 +212,9 @@ impl<const ROWS: usize> Memory<ROWS> {
                     .set_bools(to, |memory, row| compare(comparison, memory.real(left, row), memory.real(right, row))),
                 Step::After { duration, to } => self.set_bools(to, |memory, _| memory.dwell >= duration),
                 Step::Done { to } => self.set_bools(to, |_, _| *done),
+                Step::Inside { ref path, to } => {
+                    self.set_bools(to, |_, _| here.starts_with(&code.paths[range(path)]));
+                }
                 Step::InMode { mode, to } => self.set_bools(to, |_, _| *active == mode),
                 Step::Rising { of, memory, to } => {
                     for row in rows.clone() {

@@ -21,7 +21,7 @@ impl<'p> Evaluator<'p> {
     pub fn evaluate(&mut self, readings: &[Reading], dt: u64) {
         let code = &self.plan.code;
         let read = |input: u32, _| readings.get(input as usize).copied();
-        let told = Told { read, rows: 1, done: false, dt, active: 0 };
+        let told = Told { read, rows: 1, done: false, dt, active: 0, path: &[] };
         self.memory.run(code, 0..code.steps.len() as u32, &self.plan.inputs, &told);
     }
 
@@ -65,7 +65,7 @@ impl<'p> Columns<'p> {
             let value = readings.get(input as usize)?.get(row)?;
             Some(Reading { value: *value, healthy: true })
         };
-        let told = Told { read, rows: self.rows, done: false, dt, active: 0 };
+        let told = Told { read, rows: self.rows, done: false, dt, active: 0, path: &[] };
         self.memory.run(code, 0..code.steps.len() as u32, &self.plan.inputs, &told);
     }
 

@@ -73,6 +73,8 @@ pub struct Mode {
     pub symbol: Symbol,
     /// Whether it has no way out on purpose.
     pub is_final: bool,
+    /// What runs inside it, in an activity or a goal; `None` where that was broken and reported.
+    pub runs: Option<Run>,
     /// The sensors without which it is inhibited, and where each was written.
     pub requires: Vec<(Id<Sensor>, Span)>,
     /// Where the machine goes when one of them fails while the mode is active.
@@ -91,6 +93,17 @@ pub struct Mode {
     pub incomplete: bool,
     /// Whether it was taken over from a diagram that this one extends, and is judged there.
     pub inherited: bool,
+}
+
+/// A diagram that runs inside a mode of another (LMSL fig. 3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Run {
+    /// The diagram, of a lower layer.
+    pub diagram: Id<Diagram>,
+    /// Whether it goes on where it was when its mode is entered again, and does not start anew.
+    pub resumes: bool,
+    /// Where its name stands.
+    pub span: Span,
 }
 
 /// A priority multiplexer (Sobh §3.2, §3.3). The modes of its diagram are [`Arbiter::NOBODY`], [`Arbiter::EMERGENCY`],

@@ -30,6 +30,8 @@ pub enum Type {
 pub enum Op {
     /// Something that was reported as wrong.
     Error,
+    /// Something that nothing is known of; only within the analysis.
+    Unknown,
     /// A number in SI.
     Number(Exact),
     /// The reading of a sensor, in SI.
@@ -47,6 +49,9 @@ pub enum Op {
     Flag(Id<Flag>),
     /// Whether the diagram is in a mode; only in expectations and properties.
     InMode(Id<Mode>),
+    /// Whether the diagram is in a mode, what runs inside it in another, and so on inward; two modes or more. In the
+    /// condition of a transition it is where they were at the end of the tick before.
+    Inside(Vec<Id<Mode>>),
     /// Whether the mode has been active for that many nanoseconds.
     After(u64),
     /// Whether the mode's action has reported completion.

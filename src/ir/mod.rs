@@ -12,7 +12,7 @@ mod trial;
 
 pub use diagram::{
     Arbiter, Argument, Call, Client, Column, Decision, DecisionRow, Diagram, Emergency, Flag, Layer, Mode, Platform,
-    Sense, Ties, Transition,
+    Run, Sense, Ties, Transition,
 };
 pub use expr::{Comparison, Expr, Op, Type};
 pub use fusion::{Clause, Event, FailReading, Literal, Network, NetworkInput, Part, Rule, Shape, Term, Variable};
@@ -90,6 +90,18 @@ impl Program {
             Some(&id) => self.sensors[id].group.as_ref().map_or_else(|| vec![id], |group| group.of.clone()),
             None => self.elements(name, among),
         }
+    }
+
+    /// Modes inside each other as a condition names them, the first of a diagram: `explore.mode is stop`.
+    pub fn inside(&self, diagram: &Diagram, path: &[Id<Mode>]) -> String {
+        let (mut names, mut here) = (Vec::with_capacity(path.len()), Some(diagram));
+        for mode in path {
+            let Some(mode) = here.map(|diagram| &diagram.modes[*mode]) else { break };
+            names.push(mode.symbol.name.as_str());
+            here = mode.runs.map(|run| &self.diagrams[run.diagram]);
+        }
+        let (last, before) = names.split_last().unwrap_or((&"", &[]));
+        format!("{}.mode is {last}", before.join("."))
     }
 
     /// The actions that a diagram on a robot or an interface can call.

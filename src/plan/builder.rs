@@ -29,6 +29,7 @@ pub(super) enum Key {
     After(u64),
     Done,
     InMode(u32),
+    Inside(Vec<u32>),
     Held(Bool, u64),
     Rising(Bool),
     Falling(Bool),
@@ -300,8 +301,8 @@ impl<'a> Builder<'a> {
 
     fn operation(&mut self, op: &ir::Op, values: &HashMap<Id<ir::Expr>, u32>, names: &Names<'_>) -> u32 {
         match op {
-            // A checked program has no poison; false is as good as anything.
-            ir::Op::Error => self.bool(Key::Any(Vec::new()), |_, to| Step::Any { of: 0..0, to }),
+            // A checked program has no poison, and nothing unknown; false is as good as anything.
+            ir::Op::Error | ir::Op::Unknown => self.bool(Key::Any(Vec::new()), |_, to| Step::Any { of: 0..0, to }),
             ir::Op::Number(value) => self.constant(value.to_f64()),
             ir::Op::Sensor(sensor) => self.sensor(*sensor, names.platform, names.logical),
             ir::Op::Failed(sensor) => match names.platform.feed(*sensor) {
@@ -317,6 +318,11 @@ impl<'a> Builder<'a> {
             ir::Op::InMode(mode) => {
                 let mode = mode.index() as u32;
                 self.bool(Key::InMode(mode), |_, to| Step::InMode { mode, to })
+            }
+            ir::Op::Inside(path) => {
+                let path: Vec<_> = path.iter().map(|mode| mode.index() as u32).collect();
+                let key = Key::Inside(path.clone());
+                self.bool(key, |code, to| Step::Inside { path: list(&mut code.paths, &path), to })
             }
             &ir::Op::After(duration) => self.bool(Key::After(duration), |_, to| Step::After { duration, to }),
             ir::Op::Done => self.bool(Key::Done, |_, to| Step::Done { to }),
@@ -386,12 +392,14 @@ pub(super) fn reachable(program: &ir::Program, root: Id<ir::Expr>) -> Vec<Id<ir:
             ir::Op::Compare(_, left, right) => found.extend([*left, *right]),
             ir::Op::And(operands) | ir::Op::Or(operands) => found.extend(operands),
             ir::Op::Error
+            | ir::Op::Unknown
             | ir::Op::Number(_)
             | ir::Op::Sensor(_)
             | ir::Op::Failed(_)
             | ir::Op::Event { .. }
             | ir::Op::Flag(_)
             | ir::Op::InMode(_)
+            | ir::Op::Inside(_)
             | ir::Op::After(_)
             | ir::Op::Done => {}
         }

@@ -18,6 +18,8 @@ pub struct Code {
     pub steps: Vec<Step>,
     /// The operands of minima and maxima.
     pub real_lists: Vec<Real>,
+    /// Modes inside each other, the outermost first; steps hold spans of it.
+    pub paths: Vec<u32>,
     /// The operands of conjunctions and disjunctions.
     pub bool_lists: Vec<Bool>,
     /// The points of piecewise-linear shapes.
@@ -319,6 +321,13 @@ pub enum Step {
     },
     /// Whether the mode's action has reported completion.
     Done {
+        /// Where it goes.
+        to: Bool,
+    },
+    /// Whether the machine is in a mode, what runs inside it in another, and so on inward.
+    Inside {
+        /// The modes, a list of [`Code::paths`].
+        path: Range<u32>,
         /// Where it goes.
         to: Bool,
     },

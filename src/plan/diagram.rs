@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::builder::{Builder, EventSlots, Names, reachable};
 use super::{
     Action, Arbiter, Bool, Call, Checked, Client, Draw, Emergency, Event, Evidence, Flag, Input, Logical, Mode, Origin,
-    Output, Part, Plan, Real, Row, Sense, Transition, Value, input, origin,
+    Output, Part, Plan, Real, Row, Run, Sense, Transition, Value, input, origin,
 };
 use crate::base::Id;
 use crate::ir;
@@ -42,6 +42,7 @@ pub fn build(checked: Checked<'_>, diagram: Id<ir::Diagram>, robot: Id<ir::Robot
 /// The same on a robot, or on the interface it is written on: then the sensors are as the interface promises them.
 pub fn build_on(checked: Checked<'_>, diagram: Id<ir::Diagram>, on: ir::Platform, watched: &[Id<ir::Expr>]) -> Plan {
     let program = checked.program;
+    let position = diagram.index() as u32;
     let diagram = &program.diagrams[diagram];
     let platform = Platform::new(program, on);
     let mut builder = Builder::new(program);
@@ -113,12 +114,17 @@ pub fn build_on(checked: Checked<'_>, diagram: Id<ir::Diagram>, on: ir::Platform
     let fuse = if arbiter.is_some() { 0..builder.position() } else { fuse };
     let modes = diagram.modes.iter().map(|(id, mode)| parts.mode(id, mode, &mut builder, &names)).collect();
 
+    let runs = diagram.modes.values().filter_map(|mode| mode.runs);
+    let inner = distinct(runs.map(|run| run.diagram)).into_iter().map(|inner| build_on(checked, inner, on, &[]));
+    let inner = inner.collect();
+
     builder.begin_watch();
     let start = builder.position();
     let watched = watched.iter().map(|&condition| builder.expr(condition, &names)).collect();
     let watch = start..builder.position();
     let constants = builder.finish();
     Plan {
+        position,
         name: diagram.symbol.name.clone(),
         origin: origin(&diagram.symbol),
         robot: platform.name.to_owned(),
@@ -149,9 +155,21 @@ pub fn build_on(checked: Checked<'_>, diagram: Id<ir::Diagram>, on: ir::Platform
         required: parts.required,
         constants,
         entry: diagram.entry.map_or(0, |entry| entry.index() as u32),
+        inner,
         arbiter,
         drive: None,
     }
+}
+
+/// The diagrams that run inside the modes of one, each once.
+fn distinct(diagrams: impl Iterator<Item = Id<ir::Diagram>>) -> Vec<Id<ir::Diagram>> {
+    let mut known = Vec::new();
+    for diagram in diagrams {
+        if !known.contains(&diagram) {
+            known.push(diagram);
+        }
+    }
+    known
 }
 
 /// What an operation with a memory of its own looks back at.
@@ -359,6 +377,8 @@ impl<'a> Parts<'a> {
         Mode {
             name: mode.symbol.name.clone(),
             origin: origin(&mode.symbol),
+            is_final: mode.is_final,
+            runs: mode.runs.map(|run| Run { inner: self.inner(run.diagram), resumes: run.resumes }),
             transitions: transitions..self.transitions.len() as u32,
             actions,
             rows,
@@ -368,6 +388,13 @@ impl<'a> Parts<'a> {
             required: required..self.required.len() as u32,
             otherwise: mode.otherwise.map(|mode| mode.index() as u32),
         }
+    }
+
+    /// The place of a diagram among those that run inside.
+    fn inner(&self, diagram: Id<ir::Diagram>) -> u32 {
+        let runs = self.diagram.modes.values().filter_map(|mode| mode.runs);
+        let place = distinct(runs.map(|run| run.diagram)).iter().position(|inner| *inner == diagram);
+        place.unwrap_or_default() as u32
     }
 
     fn rows(&mut self, rows: &[ir::DecisionRow], builder: &mut Builder<'_>, names: &Names<'_>) -> Range<u32> {

@@ -96,6 +96,8 @@ pub struct Flag {
 /// A diagram on a robot, ready to run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
+    /// Its position in the program.
+    pub position: u32,
     /// The diagram's name.
     pub name: String,
     /// Where it stands.
@@ -146,10 +148,24 @@ pub struct Plan {
     pub constants: Steps,
     /// The mode the machine starts in.
     pub entry: u32,
+    /// The diagrams that run inside its modes, each once.
+    pub inner: Vec<Self>,
     /// What chooses among clients, if it is an arbiter; the modes are then who has the robot.
     pub arbiter: Option<Arbiter>,
     /// What carries out the robot's commands, where that is a behavior too; only for a scenario.
     pub drive: Option<Box<Self>>,
+}
+
+impl Plan {
+    /// Whether it, or what runs inside it, draws random numbers.
+    pub fn is_random(&self) -> bool {
+        !self.draws.is_empty() || self.inner.iter().any(Self::is_random)
+    }
+
+    /// It and all that runs inside it, inner ones first.
+    pub fn layers(&self) -> Vec<&Self> {
+        self.inner.iter().flat_map(Self::layers).chain([self]).collect()
+    }
 }
 
 /// A priority multiplexer.
@@ -226,6 +242,15 @@ pub struct Action {
     pub reports_done: bool,
 }
 
+/// A diagram that runs inside a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Run {
+    /// The diagram, a position in [`Plan::inner`].
+    pub inner: u32,
+    /// Whether it goes on where it was when its mode is entered again, and does not start anew.
+    pub resumes: bool,
+}
+
 /// A mode: spans of the plan's lists.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
@@ -233,6 +258,10 @@ pub struct Mode {
     pub name: String,
     /// Where it stands.
     pub origin: Origin,
+    /// Whether it has no way out on purpose.
+    pub is_final: bool,
+    /// What runs inside it.
+    pub runs: Option<Run>,
     /// Its ways out in [`Plan::transitions`].
     pub transitions: Range<u32>,
     /// Its commands of every tick in [`Plan::calls`].

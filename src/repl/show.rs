@@ -30,7 +30,7 @@ pub(super) fn change(session: &Session<'_>) -> String {
 /// Where the machine is now.
 pub(super) fn place(session: &Session<'_>) -> String {
     match &session.now.last {
-        Some(tick) => format!("  at {}: in {}\n", time(tick.time), session.mode(session.now.machine.mode())),
+        Some(tick) => format!("  at {}: in {}\n", time(tick.time), session.now.machine.place()),
         None => format!("  before the first tick of {}\n", session.driven.plan.name),
     }
 }

@@ -60,11 +60,10 @@ struct Changed<'a> {
 /// all ticks.
 pub fn run(outcome: &Outcome<'_>) -> String {
     let trace = outcome.trace;
-    let entered = |change: &crate::trace::ModeChange| (seconds(change.time), mode_name(trace, change.to));
     to_line(&Run {
         schema: SCHEMA,
         scenario: &trace.scenario,
-        modes: trace.changes.iter().map(entered).map(|(t, mode)| Entered { t, mode }).collect(),
+        modes: trace.entered().into_iter().map(|(change, mode)| Entered { t: seconds(change.time), mode }).collect(),
         flags: flag_changes(trace),
         expectations: outcome.expectations.iter().map(told).collect(),
     })
@@ -73,11 +72,6 @@ pub fn run(outcome: &Outcome<'_>) -> String {
 /// A verdict with what was seen only where it matters.
 fn told<'a>(verdict: &Verdict<'a>) -> Verdict<'a> {
     Verdict { seen: verdict.seen.filter(|_| !verdict.passed), ..*verdict }
-}
-
-/// The name of a mode by its position; empty for a position of another behavior.
-pub(super) fn mode_name(trace: &Trace, mode: u32) -> &str {
-    trace.modes.get(mode as usize).map_or("", String::as_str)
 }
 
 /// Every change of every flag, by time, then in the order of the columns.

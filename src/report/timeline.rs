@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::slice;
 
 use super::paint::{Paint, wrap};
-use super::run::{Outcome, mode_name};
+use super::run::Outcome;
 use crate::trace::{ModeChange, seconds};
 
 /// The narrowest column that evidence may be squeezed into; below that it goes on lines of its own.
@@ -27,8 +27,9 @@ struct Row<'a> {
 pub fn timeline(outcome: &Outcome<'_>, width: usize, color: bool) -> String {
     let trace = outcome.trace;
     let paint = Paint { color };
-    let decimals = decimals(&trace.changes);
-    let rows: Vec<Row<'_>> = trace.changes.iter().map(|change| row(outcome, change, decimals)).collect();
+    let entered = trace.entered();
+    let decimals = decimals(entered.iter().map(|(change, _)| change.time));
+    let rows: Vec<Row<'_>> = entered.into_iter().map(|(change, mode)| row(change, mode, decimals)).collect();
     let mut out = String::new();
     let duration = trace.times.last().map_or(0.0, |&time| seconds(time));
     let (scenario, behavior, robot, seed) = (&trace.scenario, &trace.behavior, &trace.robot, trace.seed);
@@ -83,22 +84,22 @@ fn list(out: &mut String, evidence: &[String], at: usize, start: usize, width: u
     out.push('\n');
 }
 
-fn row<'a>(outcome: &Outcome<'a>, change: &ModeChange, decimals: usize) -> Row<'a> {
+fn row<'a>(change: &ModeChange, mode: &'a str, decimals: usize) -> Row<'a> {
     let reason = match change.priority {
         Some(priority) => format!("{priority}: {}", change.condition),
         None => change.condition.clone(),
     };
     Row {
         time: format!("{:.decimals$} s", seconds(change.time)),
-        mode: mode_name(outcome.trace, change.to),
+        mode,
         reason,
         evidence: change.evidence.iter().map(ToString::to_string).collect(),
     }
 }
 
 /// The decimals that tell all times exactly, from two to six.
-fn decimals(changes: &[ModeChange]) -> usize {
-    let exact = |decimals: u32| changes.iter().all(|change| change.time % 10_u64.pow(9 - decimals) == 0);
+fn decimals(times: impl Iterator<Item = u64> + Clone) -> usize {
+    let exact = |decimals: u32| times.clone().all(|time| time % 10_u64.pow(9 - decimals) == 0);
     (2..6).find(|&decimals| exact(decimals)).unwrap_or(6) as usize
 }
 

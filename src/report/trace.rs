@@ -5,7 +5,6 @@ use std::io::{Result, Write};
 use serde::Serializer;
 use serde::ser::SerializeMap;
 
-use super::run::mode_name;
 use crate::trace::{Column, Trace, seconds};
 
 /// Writes a trace as CSV: a header, then a line a tick with `t` in seconds, the name of the mode, and every column in
@@ -24,7 +23,7 @@ pub fn trace_csv(trace: &Trace, to: impl Write) -> Result<()> {
     let mut field = Vec::new();
     for (tick, &time) in trace.times.iter().enumerate() {
         number(&mut to, &mut field, seconds(time))?;
-        to.write_field(active(trace, tick))?;
+        to.write_field(trace.at(tick))?;
         for column in &trace.columns {
             let value = value(column, tick);
             if column.signal.is_flag() {
@@ -48,7 +47,7 @@ pub fn trace_jsonl(trace: &Trace, mut to: impl Write) -> Result<()> {
         let mut line = serde_json::Serializer::new(&mut to);
         let mut object = line.serialize_map(None)?;
         object.serialize_entry("t", &seconds(time))?;
-        object.serialize_entry("mode", active(trace, tick))?;
+        object.serialize_entry("mode", trace.at(tick))?;
         for column in &trace.columns {
             let value = value(column, tick);
             if column.signal.is_flag() {
@@ -67,10 +66,6 @@ fn number<W: Write>(to: &mut csv::Writer<W>, field: &mut Vec<u8>, number: f64) -
     field.clear();
     write!(field, "{number:?}")?;
     Ok(to.write_field(&field)?)
-}
-
-fn active(trace: &Trace, tick: usize) -> &str {
-    trace.mode.get(tick).map_or("", |&mode| mode_name(trace, mode))
 }
 
 /// The value on a tick; not a number where the column ends before it.

@@ -85,10 +85,8 @@ impl<'a> Lower<'a> {
             return None;
         }
         let diagram = self.find_diagram(&tree.diagram)?;
-        if !self.runs_on(diagram, robot) {
-            let (behavior, robot) = (&tree.diagram.text, &self.program.robots[robot].symbol.name);
-            let message = format!("`{behavior}` is not written for `{robot}`");
-            self.report(Diagnostic::new(&diag::rules::WRONG_KIND, tree.diagram.span, message));
+        if !self.runs_on(diagram, ir::Platform::Robot(robot)) {
+            self.not_written_for(&tree.diagram, ir::Platform::Robot(robot));
             return None;
         }
         if let Some((mode, span)) = self.says_more(diagram) {
@@ -130,21 +128,14 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// Whether a diagram runs on a robot.
-    fn runs_on(&self, diagram: Id<ir::Diagram>, robot: Id<ir::Robot>) -> bool {
-        match self.program.diagrams[diagram].platform {
-            ir::Platform::Robot(own) => own == robot,
-            ir::Platform::Interface(interface) => self.program.robots[robot].provides.contains(&interface),
-        }
-    }
-
     /// A mode of a diagram that gives more than one command on a tick, and where.
     fn says_more(&self, diagram: Id<ir::Diagram>) -> Option<(&str, Span)> {
         self.program.diagrams[diagram].modes.values().find_map(|mode| {
+            let inner = mode.runs.and_then(|run| self.says_more(run.diagram));
             let decided = mode.decision.as_ref().map(|decision| decision.span);
             let every_tick = mode.actions.iter().map(|call| call.span).chain(decided).skip(1);
             let once = mode.on_enter.iter().chain(&mode.on_exit).map(|call| call.span);
-            Some((mode.symbol.name.as_str(), once.chain(every_tick).next()?))
+            inner.or_else(|| Some((mode.symbol.name.as_str(), once.chain(every_tick).next()?)))
         })
     }
 
@@ -171,6 +162,7 @@ fn mode(symbol: ir::Symbol) -> ir::Mode {
     ir::Mode {
         symbol,
         is_final: true,
+        runs: None,
         requires: Vec::new(),
         otherwise: None,
         actions: Vec::new(),

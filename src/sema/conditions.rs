@@ -43,6 +43,8 @@ pub(super) struct Scene {
     pub(super) mode_places: Vec<Span>,
     /// The modes, where a condition may name them.
     pub(super) modes: HashMap<String, Id<ir::Mode>>,
+    /// The modes that run a diagram, with what they run where that is not broken.
+    pub(super) runs: HashMap<String, (Id<ir::Mode>, Option<Id<ir::Diagram>>)>,
     /// The interface the behavior is written on, if it is one.
     pub(super) interface: Option<String>,
     /// Whether some sensed network is broken: then a name that is not known may be one of its events.
@@ -92,6 +94,7 @@ impl Lower<'_> {
         for (id, mode) in diagram.modes.iter() {
             scene.modes.insert(mode.symbol.name.clone(), id);
             scene.mode_places.push(mode.symbol.span);
+            scene.runs.extend(mode.runs.map(|run| (mode.symbol.name.clone(), (id, Some(run.diagram)))));
         }
         for (id, flag) in diagram.flags.iter() {
             scene.flags.insert(flag.symbol.name.clone(), Some(id));

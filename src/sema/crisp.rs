@@ -64,10 +64,15 @@ fn simple(tree: &ast::Expr) -> Option<&ast::Name> {
     }
 }
 
-/// Whether this has the form `diagram.mode`.
-fn is_of_another_diagram(tree: &ast::Expr) -> bool {
-    matches!(&tree.kind, ast::ExprKind::Path(path)
-        if path.segments.len() > 1 && path.segments.last().is_some_and(|name| name.text == "mode"))
+/// What stands before `.mode`, where this has that form.
+fn of_another_diagram(tree: &ast::Expr) -> Option<&[ast::Name]> {
+    match &tree.kind {
+        ast::ExprKind::Path(path) => match path.segments.as_slice() {
+            [first @ .., last] if !first.is_empty() && last.text == "mode" => Some(first),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// Whether a column of a decision table has this form.
@@ -108,9 +113,8 @@ struct Bounds {
 impl Lower<'_> {
     /// `x is term`, `x is any of {a, b}`.
     pub(super) fn is_term(&mut self, tree: &ast::Expr, terms: &[ast::Name], span: Span, scene: &Scene) -> Option<Op> {
-        if is_of_another_diagram(tree) {
-            self.report(not_supported(span, "the mode of another diagram"));
-            return None;
+        if let Some(path) = of_another_diagram(tree) {
+            return self.inside(path, terms, span, scene);
         }
         if let Some((sensor, doing)) = self.doing(tree, scene) {
             let values = self.values(Subject::Doing(sensor, doing), scene, span)?;

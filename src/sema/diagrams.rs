@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use super::conditions::Scene;
-use super::{Lower, claim, counted, given, missing_part, not_supported, symbol};
+use super::layers::layer;
+use super::modes::Owner;
+use super::{Lower, claim, counted, given, missing_part, symbol};
 use crate::base::{Arena, Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir;
@@ -40,12 +42,17 @@ pub(super) fn sense_name(sense: &ast::Sense) -> &ast::Name {
 
 impl<'a> Lower<'a> {
     pub(super) fn diagram(&mut self, tree: &'a ast::Diagram) {
-        let layer = match tree.layer {
-            ast::Layer::Behavior => ir::Layer::Behavior,
-            ast::Layer::Activity => return self.report(not_supported(tree.name.span, "an activity")),
-            ast::Layer::Goal => return self.report(not_supported(tree.name.span, "a goal")),
-        };
+        let layer = layer(tree.layer);
         let Some(chain) = self.chain(tree, Self::find_diagram_tree) else { return };
+        if let [.., base, _] = chain.as_slice()
+            && base.layer != tree.layer
+        {
+            let name = tree.extends.as_ref().unwrap_or(&tree.name);
+            let (base, own) = (base.layer.keyword(), tree.layer.keyword());
+            let message = format!("`{}` is declared as {base}, and this as {own}", name.text);
+            self.report(Diagnostic::new(&diag::rules::WRONG_KIND, name.span, message));
+            return;
+        }
         let parts = self.parts(&chain);
         let Some(on) = parts.on else {
             // What is extended lacks it too, and that was reported.
@@ -58,7 +65,8 @@ impl<'a> Lower<'a> {
             );
         };
         let Some(platform) = self.find_platform(on) else { return };
-        let (sensors, actions) = (self.program.sensors_of(platform), self.program.actions_of(platform).to_vec());
+        let sensors = self.program.sensors_of(platform);
+        let owner = Owner { layer, actions: self.program.actions_of(platform).to_vec() };
         let interface = match platform {
             ir::Platform::Robot(_) => None,
             ir::Platform::Interface(id) => Some(self.program.interfaces[id].symbol.name.clone()),
@@ -67,6 +75,10 @@ impl<'a> Lower<'a> {
         let mut scene = Scene { sensors, states, commands, interface, ..Scene::default() };
         let senses = self.senses(&parts.senses, &mut scene);
         self.broken_items(&chain, &mut scene);
+        let runs: Vec<_> = parts.modes.iter().map(|mode| self.run(mode, layer, platform)).collect();
+        let outer = parts.modes.iter().zip(&runs).zip(0..).filter(|((mode, _), _)| mode.child.is_some());
+        let inner = |run: &Option<ir::Run>| run.as_ref().map(|run| run.diagram);
+        scene.runs = outer.map(|((mode, run), place)| (mode.name.text.clone(), (Id::new(place), inner(run)))).collect();
         let flags = self.flags(&parts.flags, &mut scene);
         let modes: HashMap<_, _> = parts
             .modes
@@ -76,9 +88,11 @@ impl<'a> Lower<'a> {
             .collect();
         let own =
             |mode: &ast::Mode| mode.span.file == tree.span.file && tree.span.range().contains(&mode.span.range().start);
-        let lower =
-            |mode: &&ast::Mode| ir::Mode { inherited: !own(mode), ..self.mode(mode, &modes, &actions, &mut scene) };
-        let lowered: Arena<ir::Mode> = parts.modes.iter().map(lower).collect();
+        let lower = |(mode, run): (&&ast::Mode, Option<ir::Run>)| ir::Mode {
+            inherited: !own(mode),
+            ..self.mode(mode, run, &modes, &owner, &mut scene)
+        };
+        let lowered: Arena<ir::Mode> = parts.modes.iter().zip(runs).map(lower).collect();
         let broken = |tree: &&'a ast::Diagram| tree.items.iter().any(|item| matches!(item, ast::DiagramItem::Error(_)));
         let incomplete = chain.iter().any(broken) || lowered.values().any(|mode| mode.incomplete);
         let mut diagram = ir::Diagram {

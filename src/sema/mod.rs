@@ -13,6 +13,7 @@ mod extends;
 mod fusion;
 mod groups;
 mod inference;
+mod layers;
 mod linear;
 mod modes;
 mod outputs;
@@ -85,14 +86,17 @@ pub fn lower(units: &[Unit], sources: &Sources) -> Lowered {
         comparisons: Cell::new(MOST_COMPARISONS),
         diagnostics,
     };
-    for phase in [Phase::Variables, Phase::Networks, Phase::Interfaces, Phase::Robots, Phase::Worlds, Phase::Diagrams] {
-        lower.run(phase);
+    for phase in [Phase::Variables, Phase::Networks, Phase::Interfaces, Phase::Robots, Phase::Worlds] {
+        lower.declarations(phase);
+    }
+    for layer in [ast::Layer::Behavior, ast::Layer::Activity, ast::Layer::Goal] {
+        lower.declarations(Phase::Diagrams(layer));
     }
     lower.drives();
-    lower.run(Phase::Arbiters);
-    lower.run(Phase::Properties);
+    lower.declarations(Phase::Arbiters);
+    lower.declarations(Phase::Properties);
     lower.monitors();
-    lower.run(Phase::Scenarios);
+    lower.declarations(Phase::Scenarios);
     lower.unused_imports();
     lower.unused();
     lower
@@ -114,7 +118,8 @@ enum Phase {
     Interfaces,
     Robots,
     Worlds,
-    Diagrams,
+    /// Of one layer: outer ones name inner ones.
+    Diagrams(ast::Layer),
     Arbiters,
     Properties,
     Scenarios,
@@ -154,7 +159,7 @@ struct Poison {
 }
 
 impl<'a> Lower<'a> {
-    fn run(&mut self, phase: Phase) {
+    fn declarations(&mut self, phase: Phase) {
         let units = self.units;
         for unit in units {
             for item in &unit.tree.items {
@@ -165,7 +170,9 @@ impl<'a> Lower<'a> {
                     (Phase::Interfaces, ast::Item::Interface(interface)) => self.interface(interface),
                     (Phase::Robots, ast::Item::Robot(robot)) => self.robot(robot),
                     (Phase::Worlds, ast::Item::World(world)) => self.world(world),
-                    (Phase::Diagrams, ast::Item::Diagram(diagram)) => self.diagram(diagram),
+                    (Phase::Diagrams(layer), ast::Item::Diagram(diagram)) if diagram.layer == layer => {
+                        self.diagram(diagram)
+                    }
                     (Phase::Properties, ast::Item::Property(property)) => self.property(property),
                     (Phase::Scenarios, ast::Item::Scenario(scenario)) => self.scenario(scenario),
                     (Phase::Arbiters, ast::Item::Arbiter(arbiter)) => self.arbiter(arbiter),

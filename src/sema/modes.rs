@@ -13,22 +13,26 @@ use crate::syntax::ast;
 /// The modes of a diagram by name, with the place of each name.
 pub(super) type Modes<'t> = HashMap<&'t str, (Id<ir::Mode>, Span)>;
 
+/// The diagram that a mode is of.
+pub(super) struct Owner {
+    pub(super) layer: ir::Layer,
+    pub(super) actions: Vec<Id<ir::Action>>,
+}
+
 impl Lower<'_> {
     pub(super) fn mode(
         &mut self,
         tree: &ast::Mode,
+        runs: Option<ir::Run>,
         modes: &Modes<'_>,
-        actions: &[Id<ir::Action>],
+        owner: &Owner,
         scene: &mut Scene,
     ) -> ir::Mode {
-        if let Some(child) = &tree.child {
-            let message = "a mode of a behavior cannot run a diagram";
-            let diagnostic = Diagnostic::new(&diag::rules::WRONG_KIND, child.diagram.span, message);
-            self.report(diagnostic.note("a behavior's modes call actions; an activity's modes run behaviors"));
-        }
+        let actions = &owner.actions;
         let mut mode = ir::Mode {
             symbol: symbol(&tree.name, tree.doc.as_ref()),
             is_final: tree.is_final.is_some(),
+            runs,
             requires: Vec::new(),
             otherwise: tree.otherwise.as_ref().and_then(|name| self.mode_named(name, modes)),
             actions: Vec::new(),
@@ -40,6 +44,7 @@ impl Lower<'_> {
             incomplete: tree.items.iter().any(|item| matches!(item, ast::ModeItem::Error(_))),
         };
         mode.incomplete |= mode.otherwise.is_none() && tree.otherwise.is_some();
+        mode.incomplete |= runs.is_none() && owner.layer != ir::Layer::Behavior;
         if let (Some(otherwise), Some(name)) = (mode.otherwise, &tree.otherwise)
             && modes.get(tree.name.text.as_str()).is_some_and(|own| own.0 == otherwise)
         {
@@ -74,8 +79,10 @@ impl Lower<'_> {
         mode.decision = decision.and_then(|(decision, _)| decision);
         let decided = mode.decision.iter().flat_map(|decision| &decision.rows).flat_map(|row| &row.commands);
         let reports = mode.actions.iter().chain(decided).any(|call| self.program.actions[call.action].reports_done);
+        let ends = |run: ir::Run| self.program.diagrams[run.diagram].modes.values().any(|mode| mode.is_final);
         // A broken call was reported; it may be the one that would have reported completion.
-        scene.reports_done = Some(reports || mode.actions.len() < calls);
+        let is_open = mode.actions.len() < calls || mode.incomplete;
+        scene.reports_done = Some(if let Some(run) = runs { ends(run) } else { reports || is_open });
         let own = modes.get(tree.name.text.as_str()).map(|own| own.0);
         for item in &tree.items {
             if let ast::ModeItem::Transition(transition) = item {

@@ -3,7 +3,7 @@
 use super::random::{Purpose, Stream};
 use super::simulation::Driver;
 use crate::base::Id;
-use crate::interp::{Actuators, Inputs, Machine, Reading, Taken};
+use crate::interp::{Actuators, Inputs, Machine, Reading};
 use crate::ir::{self, BodyArgument, SensorSource};
 use crate::plan::Plan;
 
@@ -83,9 +83,10 @@ impl<'a> Drive<'a> {
         self.tell(readings);
         let Some(mut machine) = self.machine.take() else { return };
         driver.given = false;
-        let taken = machine.step(Inputs { readings, done }, dt, &mut self.over(driver));
+        machine.step(Inputs { readings, done }, dt, &mut self.over(driver));
+        let has_moved = machine.has_moved();
         self.machine = Some(machine);
-        if taken != Taken::Stayed && !driver.given {
+        if has_moved && !driver.given {
             driver.body.forget_done();
         }
     }

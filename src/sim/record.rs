@@ -78,6 +78,9 @@ impl<'a> Recorder<'a> {
             mode: Vec::with_capacity(ticks),
             columns,
             changes: Vec::new(),
+            places: Vec::new(),
+            place: Vec::new(),
+            inner: Vec::new(),
             log: Vec::new(),
             hits: Vec::new(),
             bodies,
@@ -90,19 +93,11 @@ impl<'a> Recorder<'a> {
         Self { plan, trace, held, decided: decided.collect(), mode: None, said: Vec::new(), hits: BTreeSet::new() }
     }
 
-    /// Writes down one tick. `dwell` is how long the mode that was active before it had been active by now, ns.
-    pub(super) fn tick(
-        &mut self,
-        time: u64,
-        readings: &[Reading],
-        machine: &Machine<'_>,
-        taken: Taken,
-        dwell: u64,
-        world: &World,
-    ) {
+    /// Writes down one tick.
+    pub(super) fn tick(&mut self, time: u64, readings: &[Reading], machine: &Machine<'_>, world: &World) {
         self.trace.times.push(time);
         self.trace.mode.push(machine.mode());
-        self.change(time, readings, machine, taken, dwell);
+        self.change(time, readings, machine);
         self.log(time, machine);
         self.mode = Some(machine.mode());
         for (held, &watched) in self.held.iter_mut().zip(&self.plan.watched) {
@@ -141,23 +136,64 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    fn change(&mut self, time: u64, readings: &[Reading], machine: &Machine<'_>, taken: Taken, dwell: u64) {
-        let to = machine.mode();
-        let (priority, condition, evidence) = match taken {
-            Taken::Stayed => return,
+    /// Notes a change of mode, or one inside the mode: the outermost of those of a tick.
+    fn change(&mut self, time: u64, readings: &[Reading], machine: &Machine<'_>) {
+        let (from, has_layers) = (self.mode, !self.plan.inner.is_empty());
+        let place = has_layers.then(|| self.note_place(machine));
+        if let Some(change) = self.reasons(time, readings, machine, from, machine.mode()) {
+            self.trace.changes.push(change);
+            return;
+        }
+        let Some((from, to)) = place else { return };
+        let layers = std::iter::successors(machine.inner(), |inner| inner.inner());
+        let change = layers.map(|inner| self.reasons(time, readings, inner, from, to)).find(Option::is_some);
+        self.trace.inner.extend(change.flatten());
+    }
+
+    /// Notes where the machine is and what runs inside it: the positions before and now.
+    fn note_place(&mut self, machine: &Machine<'_>) -> (Option<u32>, u32) {
+        let before = self.trace.place.last().copied();
+        let now = match before {
+            Some(before) if !machine.has_moved() => before,
+            _ => {
+                let place = machine.place();
+                let known = self.trace.places.iter().position(|known| *known == place);
+                known.unwrap_or_else(|| {
+                    self.trace.places.push(place);
+                    self.trace.places.len() - 1
+                }) as u32
+            }
+        };
+        self.trace.place.push(now);
+        (before, now)
+    }
+
+    /// Why a machine has entered a mode on this tick; `None` where it stayed.
+    fn reasons(
+        &self,
+        time: u64,
+        readings: &[Reading],
+        machine: &Machine<'_>,
+        from: Option<u32>,
+        to: u32,
+    ) -> Option<ModeChange> {
+        let plan = machine.plan();
+        let (priority, condition, evidence) = match machine.taken() {
+            Taken::Stayed => return None,
             Taken::Entered => (None, String::new(), Vec::new()),
             Taken::Transition(index) => {
-                let transition = &self.plan.transitions[index as usize];
-                let shown = transition.evidence.iter().map(|&of| evidence(self.plan, of, readings, machine, dwell));
+                let transition = &plan.transitions[index as usize];
+                let shown = |&of: &plan::Evidence| evidence(plan, of, readings, machine, machine.lasted());
+                let shown = transition.evidence.iter().map(shown);
                 (Some(transition.priority), transition.text.clone(), shown.collect())
             }
             Taken::Handed => (None, self.reason(machine), Vec::new()),
             Taken::Lost { input, .. } => {
-                let name = self.plan.inputs[input as usize].name.clone();
+                let name = plan.inputs[input as usize].name.clone();
                 (None, format!("failed({name})"), vec![Evidence { name, text: "failed".to_owned() }])
             }
         };
-        self.trace.changes.push(ModeChange { time, from: self.mode, to, priority, condition, evidence });
+        Some(ModeChange { time, from, to, priority, condition, evidence })
     }
 
     /// Why an arbiter handed the robot on: the emergency, or the command that won.

@@ -9,7 +9,7 @@ use super::record::Recorder;
 use super::simulation::{Simulation, build};
 use crate::base::Span;
 use crate::diag::{Diagnostic, rules};
-use crate::interp::{Inputs, Machine, Taken};
+use crate::interp::{Inputs, Machine};
 use crate::ir;
 use crate::plan::Plan;
 use crate::trace::{Footprint, Trace};
@@ -92,13 +92,12 @@ pub fn run(program: &ir::Program, plan: &Plan, scenario: &ir::Scenario, options:
         let done = driver.body.done();
         let readings = sensing.read(&driver.body, world, time);
         drive.begin(done, readings);
-        let dwell = machine.dwell() + dt;
         driver.given = false;
-        let taken = machine.step(Inputs { readings, done }, dt, &mut drive.over(driver));
-        if taken != Taken::Stayed && !driver.given {
+        machine.step(Inputs { readings, done }, dt, &mut drive.over(driver));
+        if machine.has_moved() && !driver.given {
             driver.body.forget_done();
         }
-        recorder.tick(time, readings, &machine, taken, dwell, world);
+        recorder.tick(time, readings, &machine, world);
         drive.step(done, readings, dt, driver);
         recorder.see(sensing.hits(world, time));
         if number + 1 < ticks {

@@ -3,6 +3,7 @@
 //! Imports: analysis, base, diag, interp, ir, plan, sim
 //! Crates: –
 
+mod layers;
 mod message;
 mod play;
 mod scenario;
@@ -56,11 +57,14 @@ pub fn properties(
         let Some((_, first)) = of_one.first() else { continue };
         let tick = longest_tick(program, first.diagram);
         let prover = Prover::new(program, &program.diagrams[first.diagram], faults, tick);
+        let has_layers = program.diagrams[first.diagram].modes.values().any(|mode| mode.runs.is_some());
         for (id, property) in of_one {
             if stop.load(Ordering::Relaxed) {
                 return verified;
             }
-            match prover.prove(property.claim) {
+            let proof =
+                if has_layers { layers::prove(program, property, faults, tick) } else { prover.prove(property.claim) };
+            match proof {
                 Proof::Proved => verified.proved += 1,
                 Proof::Open { reason, provable, stimuli } => {
                     let subject = Subject { checked, id: *id, property, tick, provable };

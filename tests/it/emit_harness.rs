@@ -109,7 +109,7 @@ fn interface(code: &str, module: &str) -> Interface {
     for item in &module.unwrap().1 {
         match item {
             syn::Item::Struct(declared) => {
-                let fields = declared.fields.iter().map(|field| field.ident.as_ref().unwrap().to_string());
+                let fields = declared.fields.iter().filter_map(|field| Some(field.ident.as_ref()?.to_string()));
                 interface.fields.insert(declared.ident.to_string(), fields.collect());
             }
             syn::Item::Fn(free) => function(&free.sig),

@@ -107,16 +107,27 @@ struct Program {
     outputs: Vec<String>,
     /// The inputs of sensed networks that a behavior can name: the name, how many terms it has, and what these are of.
     inputs: Vec<(String, u64, String)>,
+    /// The modes of the diagrams that the one that is written runs: `m1.mode is m2` of all of them.
+    inner: Vec<String>,
+    /// Whether what the mode that is written does can complete.
+    completes: bool,
 }
 
-/// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`. Programs of odd
+/// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`; every third
+/// program has another one, `c`, an activity `t` that runs both, and a goal `g` that runs the activity. Programs of odd
 /// numbers have outputs.
 pub fn program(seed: u64) -> (String, String) {
     let (smooth, draws) = (seed.is_multiple_of(3), !seed.is_multiple_of(4));
-    let (terms, networks, outputs, inputs) = Default::default();
-    let mut program = Program { random: Random(seed), smooth, draws, terms, networks, outputs, inputs };
+    let (terms, networks, outputs, inputs, inner) = Default::default();
+    let random = Random(seed);
+    let mut program = Program { random, smooth, draws, terms, networks, outputs, inputs, inner, completes: true };
     let fusion = program.fusion(seed % 2 == 1);
-    let modes = program.behavior();
+    let mut modes = program.robot() + &program.diagram("behavior b", &[]);
+    if seed % 3 == 1 {
+        modes += &program.diagram("behavior c", &[]);
+        modes += &program.diagram("activity t", &["b", "c"]);
+        modes += &program.diagram("goal g", &["t", "t", "c"]);
+    }
     (fusion, modes)
 }
 
@@ -290,11 +301,14 @@ impl Program {
         let event = format!("{sense}{network}.n{network}_e{event}");
         let (reading, other) = (self.random.one_of(&READINGS), self.random.one_of(&READINGS));
         let operator = self.random.one_of(&["<", "<=", ">", ">=", "==", "!="]);
+        if !self.inner.is_empty() && self.random.chance(3) {
+            return self.random.one_of(&self.inner);
+        }
         match self.random.below(9) {
             0 => format!("{reading} {operator} {}", 1 + self.random.below(9)),
             1 => format!("{reading} {operator} {other}"),
             2 => format!("failed({})", self.random.one_of(&[reading, "a", "a[0..1]", "c", "held"])),
-            3 => "done".to_owned(),
+            3 if self.completes => "done".to_owned(),
             4 => self.random.one_of(&CONTACTS).to_owned(),
             5 if !self.smooth => self.is_term(),
             _ => event,
@@ -409,7 +423,7 @@ impl Program {
         self.random.one_of(if self.draws { &calls } else { &calls[..3] }).to_owned()
     }
 
-    fn behavior(&mut self) -> String {
+    fn robot(&mut self) -> String {
         let mut text = "import n\nrobot cart {\n".to_owned();
         for sensor in 0..SENSORS {
             let optional = if sensor > 1 { "optional " } else { "" };
@@ -422,7 +436,14 @@ impl Program {
     logical middle = median(s0, s1, a)\n    logical between = median(a[0, 2])\n    logical touched = any(b, c)
     logical held = all(b)\n";
         text += "    action halt()\n    action drive(speed: m/s)\n    action arc(speed: m/s, radius: m)
-    action turn(angle: deg) -> done\n    action ring(times: 1)\n}\nbehavior b on cart {\n";
+    action turn(angle: deg) -> done\n    action ring(times: 1)\n}\n";
+        text
+    }
+
+    /// A diagram whose modes run others, or give commands where there are none.
+    fn diagram(&mut self, title: &str, inner: &[&str]) -> String {
+        let mut text = format!("{title} on cart {{\n");
+        self.inputs.clear();
         for network in 0..self.networks.len() {
             for name in ["", "again_"] {
                 let variables = self.networks[network].0.clone();
@@ -439,7 +460,13 @@ impl Program {
         for flag in 0..flags {
             writeln!(text, "    flag f{flag} = {}", self.condition(flag)).unwrap();
         }
-        let modes = 2 + self.random.below(5);
+        let modes = if inner.is_empty() { 2 + self.random.below(5) } else { inner.len() as u64 };
+        // Every diagram has two modes at least.
+        self.inner = (0..inner.len()).map(|mode| format!("m{mode}.mode is any of {{m0, m1}}")).collect();
+        self.inner.extend((0..inner.len()).map(|mode| format!("m{mode}.mode is m1")));
+        if inner.contains(&"t") {
+            self.inner.push("m0.m1.mode is m0".to_owned());
+        }
         text += "    entry m0\n";
         for mode in 0..modes {
             let requires = match self.random.below(4) {
@@ -448,23 +475,38 @@ impl Program {
                 _ => String::new(),
             };
             let turn = if self.draws { "turn(random(-1 rad, 1 rad))" } else { "turn(1 rad)" };
-            writeln!(text, "    mode m{mode}{requires} {{\n        {turn}").unwrap();
-            for when in ["on enter", "on exit", ""] {
+            match inner.get(mode as usize) {
+                Some(inner) => {
+                    let resume = self.random.one_of(&["", " resume"]);
+                    writeln!(text, "    mode m{mode} = {inner}{resume}{requires} {{").unwrap();
+                }
+                None => writeln!(text, "    mode m{mode}{requires} {{\n        {turn}").unwrap(),
+            }
+            let whens: &[&str] = if inner.is_empty() { &["on enter", "on exit", ""] } else { &["on enter", "on exit"] };
+            for &when in whens {
                 if self.random.chance(3) {
                     let (first, second) = (self.call(), self.random.one_of(&["ring(2)", "halt()"]));
                     let calls = if when.is_empty() { first } else { format!("{when} {{ {first}  {second} }}") };
                     writeln!(text, "        {calls}").unwrap();
                 }
             }
-            if self.random.chance(2) {
+            if inner.is_empty() && self.random.chance(2) {
                 text += &self.table(flags);
             }
+            self.completes = inner.get(mode as usize).is_none_or(|inner| *inner == "c");
             for priority in 1..=1 + self.random.below(4) {
                 let target = self.random.below(modes);
                 let target = if target == mode { "again".to_owned() } else { format!("m{target}") };
                 writeln!(text, "        {priority}: {} -> {target}", self.condition(flags)).unwrap();
             }
+            if title == "behavior c" {
+                text += "        9: after 130 ms -> end\n";
+            }
             text += "    }\n";
+        }
+        self.completes = true;
+        if title == "behavior c" {
+            text += "    final mode end { halt() }\n";
         }
         text + "}\n"
     }

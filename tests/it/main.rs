@@ -26,6 +26,7 @@ mod fuzzy_findings;
 mod golden;
 mod golden_reader;
 mod groups;
+mod layers;
 mod limits;
 mod lsp;
 mod modes;

@@ -30,6 +30,8 @@ pub enum Atom {
     Entered(Id<Mode>),
     /// At the end of the tick: it is not, and was before.
     Left(Id<Mode>),
+    /// What runs inside a mode is in one of its own, and so on inward.
+    Inside(Vec<Id<Mode>>),
     /// The rising edges of a node beside a number.
     Count(Comparison, usize, Exact),
     /// A look at the past of a node.
@@ -272,7 +274,8 @@ impl Formula {
                 }
                 Op::Latched(of) => self.atom(Atom::Past(Past::Latched, nodes[of])),
                 Op::InMode(mode) if is_at_end => self.atom(Atom::In(*mode)),
-                Op::InMode(_) => self.atom(Atom::Open(id)),
+                Op::InMode(_) | Op::Unknown => self.atom(Atom::Open(id)),
+                Op::Inside(path) => self.atom(Atom::Inside(path.clone())),
             };
             nodes.insert(id, node);
         }
@@ -401,6 +404,7 @@ fn present(program: &Program, atom: &Atom) -> Option<Atom> {
         | Atom::Count(..)
         | Atom::Past(..)
         | Atom::Done
+        | Atom::Inside(_)
         | Atom::Lasted(_)
         | Atom::In(_)
         | Atom::Entered(_)
@@ -447,12 +451,14 @@ fn parts_where(program: &Program, root: Id<Expr>, enters: impl Fn(Id<Expr>) -> b
             Op::Compare(_, left, right) => found.extend([*left, *right]),
             Op::And(of) | Op::Or(of) => found.extend(of),
             Op::Error
+            | Op::Unknown
             | Op::Number(_)
             | Op::Sensor(_)
             | Op::Failed(_)
             | Op::Event { .. }
             | Op::Flag(_)
             | Op::InMode(_)
+            | Op::Inside(_)
             | Op::After(_)
             | Op::Done => {}
         }

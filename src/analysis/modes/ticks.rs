@@ -87,7 +87,7 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
 /// Whether readings and failures leave it open.
 pub(super) fn is_free(atom: &Atom) -> bool {
     match atom {
-        Atom::Past(..) | Atom::Done | Atom::Open(_) => true,
+        Atom::Past(..) | Atom::Done | Atom::Inside(_) | Atom::Open(_) => true,
         // Readings and failures decide, or the state.
         Atom::Event { .. }
         | Atom::Compare(..)

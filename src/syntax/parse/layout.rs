@@ -223,7 +223,9 @@ impl<'a> Layout<'a> {
         match of {
             Opener::Declaration if depth == 1 => {
                 let is_member = HOLDERS.iter().any(|block| block.keywords().contains(&self.word(next)));
-                is_member && self.is_first(next) && !self.is_flush(next)
+                // The goal of a world is a place, and has no name.
+                let is_layer = self.word(next) == "goal" && self.kind(next + 1) == Some(Kind::Word);
+                is_member && !is_layer && self.is_first(next) && !self.is_flush(next)
             }
             Opener::Mode => self.kind(next) == Some(Kind::Number) && self.token_text(next + 1) == ":",
             _ => false,

@@ -9,7 +9,7 @@ pub fn dot(chart: &Chart) -> String {
     let mut text = format!("digraph {} {{\n", Quoted(&chart.name));
     text += "    node [shape=box, style=rounded, fontname=\"Helvetica\"];\n    edge [fontname=\"Helvetica\", fontsize=11];\n";
     text += "    \"(entry)\" [shape=point, width=0.12];\n";
-    for ModeBox { name, commands, requires, is_final, is_lost } in &chart.modes {
+    for ModeBox { name, commands, requires, is_final, is_lost, .. } in &chart.modes {
         let required = (!requires.is_empty()).then(|| format!("requires {}", requires.join(", ")));
         let lines: Vec<_> = [name].into_iter().chain(&required).chain(commands).map(String::as_str).collect();
         let style = if requires.is_empty() { "" } else { ", style=\"rounded,dashed\"" };

@@ -33,16 +33,13 @@ const DOT: f64 = 10.0;
 const LONG: usize = 30;
 
 /// Draws a diagram: modes as boxes, dashed where a failed sensor can inhibit them, with a double border where they are
-/// final; transitions as arrows with their priorities in circles; a dot that points at the entry. What is lost is pale.
+/// final; what runs inside a mode inside its box; transitions as arrows with their priorities in circles; a dot that
+/// points at the entry. What is lost is pale.
 pub fn svg(chart: &Chart) -> String {
-    let boxes: Vec<_> = chart.modes.iter().map(lines).collect();
-    let labels: Vec<_> = chart.arrows.iter().map(label).collect();
-    let sizes = sizes(chart, &boxes, &labels);
-    let places = place(&sizes);
-    let (low, high) = extent(&sizes, &places);
-    let (left, top) = (EDGE - low.0, EDGE + TITLE - low.1);
+    let sheet = Sheet::new(chart);
+    let inside = sheet.size();
     let title = width_of(&chart.name) * 1.5;
-    let (width, height) = ((high.0 - low.0).max(title) + 2.0 * EDGE, high.1 - low.1 + TITLE + 2.0 * EDGE);
+    let (width, height) = (inside.0.max(title) + 2.0 * EDGE, inside.1 + TITLE + 2.0 * EDGE);
 
     let mut svg = Svg::default();
     let (width, height, name) = (Px(width), Px(height), Escaped(&chart.name));
@@ -55,26 +52,72 @@ pub fn svg(chart: &Chart) -> String {
     svg.raw(format_args!("<defs>{}{}</defs>", head("head"), head("otherwise-head")));
     svg.raw(format_args!("<rect class=\"sheet\" width=\"{width}\" height=\"{height}\"/>"));
     svg.text("title", (EDGE, EDGE + 12.0), Anchor::Start, &chart.name);
-    svg.raw(format_args!("<g transform=\"translate({} {})\">", Px(left), Px(top)));
-    let arrows = || chart.arrows.iter().map(Some).chain(chart.entry.map(|_| None)).zip(&places.arrows);
-    for (arrow, (points, _)) in arrows() {
-        let is_otherwise = arrow.is_some_and(|arrow| arrow.priority.is_none());
-        let (class, head) = if is_otherwise { ("arrow otherwise", "otherwise-head") } else { ("arrow", "head") };
-        let gone = if arrow.is_some_and(|arrow| arrow.is_lost) { " gone" } else { "" };
-        svg.raw(format_args!("<path class=\"{class}{gone}\" marker-end=\"url(#{head})\" d=\"{}\"/>", curve(points)));
-    }
-    for ((mode, lines), (size, at)) in chart.modes.iter().zip(&boxes).zip(sizes.boxes.iter().zip(&places.boxes)) {
-        faded(&mut svg, mode.is_lost, |svg| draw_box(svg, mode, lines, *size, *at));
-    }
-    if let (Some(_), Some(at)) = (chart.entry, places.boxes.get(chart.modes.len())) {
-        svg.raw(format_args!("<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\"5\"/>", Px(at.0), Px(at.1)));
-    }
-    for ((arrow, lines), (_, at)) in chart.arrows.iter().zip(&labels).zip(&places.arrows) {
-        faded(&mut svg, arrow.is_lost, |svg| draw_label(svg, arrow, lines, *at));
-    }
-    svg.raw("</g>");
+    sheet.draw(&mut svg, (EDGE, EDGE + TITLE));
     svg.raw("</svg>");
     svg.into_text()
+}
+
+/// A chart with all its places.
+struct Sheet<'c> {
+    chart: &'c Chart,
+    boxes: Vec<Vec<(&'static str, String)>>,
+    labels: Vec<Vec<String>>,
+    /// What is drawn inside each box.
+    inner: Vec<Option<Self>>,
+    sizes: Sizes,
+    places: Places,
+    /// Its corners.
+    extent: (Px2, Px2),
+}
+
+impl<'c> Sheet<'c> {
+    fn new(chart: &'c Chart) -> Self {
+        let boxes: Vec<_> = chart.modes.iter().map(lines).collect();
+        let labels: Vec<_> = chart.arrows.iter().map(label).collect();
+        let inner: Vec<_> = chart.modes.iter().map(|mode| mode.inner.as_ref().map(Sheet::new)).collect();
+        let sizes = sizes(chart, &boxes, &labels, &inner);
+        let places = place(&sizes);
+        let extent = extent(&sizes, &places);
+        Self { chart, boxes, labels, inner, sizes, places, extent }
+    }
+
+    fn size(&self) -> Px2 {
+        let (low, high) = self.extent;
+        (high.0 - low.0, high.1 - low.1)
+    }
+
+    /// Draws it with its upper left corner there.
+    fn draw(&self, svg: &mut Svg, corner: Px2) {
+        let Self { chart, boxes, labels, sizes, places, extent: (low, _), .. } = self;
+        svg.raw(format_args!("<g transform=\"translate({} {})\">", Px(corner.0 - low.0), Px(corner.1 - low.1)));
+        let arrows = || chart.arrows.iter().map(Some).chain(chart.entry.map(|_| None)).zip(&places.arrows);
+        for (arrow, (points, _)) in arrows() {
+            let is_otherwise = arrow.is_some_and(|arrow| arrow.priority.is_none());
+            let (class, head) = if is_otherwise { ("arrow otherwise", "otherwise-head") } else { ("arrow", "head") };
+            let gone = if arrow.is_some_and(|arrow| arrow.is_lost) { " gone" } else { "" };
+            svg.raw(format_args!(
+                "<path class=\"{class}{gone}\" marker-end=\"url(#{head})\" d=\"{}\"/>",
+                curve(points)
+            ));
+        }
+        let placed = sizes.boxes.iter().zip(&places.boxes).zip(&self.inner);
+        for ((mode, lines), ((size, at), inner)) in chart.modes.iter().zip(boxes).zip(placed) {
+            faded(svg, mode.is_lost, |svg| {
+                draw_box(svg, mode, lines, *size, *at);
+                if let Some(inner) = inner {
+                    let (width, height) = inner.size();
+                    inner.draw(svg, (at.0 - width / 2.0, at.1 + size.1 / 2.0 - PADDING - height));
+                }
+            });
+        }
+        if let (Some(_), Some(at)) = (chart.entry, places.boxes.get(chart.modes.len())) {
+            svg.raw(format_args!("<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\"5\"/>", Px(at.0), Px(at.1)));
+        }
+        for ((arrow, lines), (_, at)) in chart.arrows.iter().zip(labels).zip(&places.arrows) {
+            faded(svg, arrow.is_lost, |svg| draw_label(svg, arrow, lines, *at));
+        }
+        svg.raw("</g>");
+    }
 }
 
 /// Draws something pale where it is lost.
@@ -122,13 +165,20 @@ fn label(arrow: &Arrow) -> Vec<String> {
     lines
 }
 
-fn sizes(chart: &Chart, boxes: &[Vec<(&'static str, String)>], labels: &[Vec<String>]) -> Sizes {
+fn sizes(
+    chart: &Chart,
+    boxes: &[Vec<(&'static str, String)>],
+    labels: &[Vec<String>],
+    inner: &[Option<Sheet<'_>>],
+) -> Sizes {
     let widest = |lines: &mut dyn Iterator<Item = &str>| lines.map(width_of).fold(0.0, f64::max);
-    let of_box = |(mode, lines): (&ModeBox, &Vec<(&str, String)>)| {
+    let of_box = |((mode, lines), inner): ((&ModeBox, &Vec<(&str, String)>), &Option<Sheet<'_>>)| {
+        let inside = inner.as_ref().map_or((0.0, 0.0), |inner| (inner.size().0, inner.size().1 + PADDING));
         let width = widest(&mut lines.iter().map(|(_, line)| line.as_str())).max(width_of(&mode.name) * 1.2);
-        (width + 2.0 * PADDING, LINE * (lines.len() + 1) as f64 + 2.0 * PADDING - 4.0)
+        (width.max(inside.0) + 2.0 * PADDING, LINE * (lines.len() + 1) as f64 + inside.1 + 2.0 * PADDING - 4.0)
     };
-    let mut sizes = Sizes { boxes: chart.modes.iter().zip(boxes).map(of_box).collect(), arrows: Vec::new() };
+    let of_boxes = chart.modes.iter().zip(boxes).zip(inner).map(of_box);
+    let mut sizes = Sizes { boxes: of_boxes.collect(), arrows: Vec::new() };
     sizes.arrows.extend(chart.arrows.iter().zip(labels).map(|(arrow, lines)| {
         let width = widest(&mut lines.iter().map(String::as_str));
         (arrow.from, arrow.to, (circle(arrow) + width + 6.0, LINE * lines.len() as f64 + 6.0))

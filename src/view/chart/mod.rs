@@ -32,8 +32,10 @@ pub struct Chart {
 pub struct ModeBox {
     /// Its name.
     pub name: String,
-    /// The commands it gives on every tick.
+    /// The commands it gives on every tick; or what runs inside it.
     pub commands: Vec<String>,
+    /// What runs inside it.
+    pub inner: Option<Chart>,
     /// The sensors without which it is inhibited.
     pub requires: Vec<String>,
     /// Whether it has no way out on purpose.
@@ -66,7 +68,8 @@ impl Chart {
         let sensor = |(sensor, _): &(Id<Sensor>, Span)| program.sensors[*sensor].symbol.name.clone();
         let of_mode = |mode: &Mode| ModeBox {
             name: mode.symbol.name.clone(),
-            commands: commands(sources, mode),
+            commands: commands(program, sources, mode),
+            inner: mode.runs.map(|run| Self::new(program, sources, run.diagram)),
             requires: mode.requires.iter().map(sensor).collect(),
             is_final: mode.is_final,
             is_lost: false,
@@ -119,7 +122,11 @@ fn on_one_line(text: &str) -> String {
 }
 
 /// What a mode does, a line each; of a decision table what it looks at.
-fn commands(sources: &Sources, mode: &Mode) -> Vec<String> {
+fn commands(program: &Program, sources: &Sources, mode: &Mode) -> Vec<String> {
+    let runs = mode.runs.iter().map(|run| {
+        let resumes = if run.resumes { ", resumed" } else { "" };
+        format!("runs {}{resumes}", program.diagrams[run.diagram].symbol.name)
+    });
     let decided = mode.decision.iter().map(|table| format!("decide ({})", on_one_line(sources.slice(table.span))));
-    mode.actions.iter().map(|call: &Call| on_one_line(sources.slice(call.span))).chain(decided).collect()
+    mode.actions.iter().map(|call: &Call| on_one_line(sources.slice(call.span))).chain(decided).chain(runs).collect()
 }

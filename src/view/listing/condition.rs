@@ -53,7 +53,7 @@ impl<'a> Conditions<'a> {
             format!("({})", of.iter().map(known).collect::<Vec<_>>().join(&format!(" {word} ")))
         };
         match &self.program.exprs[condition].op {
-            Op::Error => "?".to_owned(),
+            Op::Error | Op::Unknown => "?".to_owned(),
             Op::Number(number) => number.to_string(),
             Op::Sensor(sensor) => self.program.sensors[*sensor].symbol.name.clone(),
             Op::Failed(sensor) => format!("failed({})", self.program.sensors[*sensor].symbol.name),
@@ -64,6 +64,7 @@ impl<'a> Conditions<'a> {
             }
             Op::Flag(flag) => known(&self.diagram.flags[*flag].condition).to_owned(),
             Op::InMode(mode) => format!("mode is {}", self.diagram.modes[*mode].symbol.name),
+            Op::Inside(path) => self.program.inside(self.diagram, path),
             Op::After(duration) => format!("after {duration} ns"),
             Op::Done => "done".to_owned(),
             Op::Count(of) => format!("count({})", known(of)),

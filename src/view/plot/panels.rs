@@ -37,7 +37,10 @@ pub(super) fn draw(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace) {
         last = Some(panel);
     }
     if !trace.modes.is_empty() {
-        last = Some(modes(&mut panels, sheet, trace));
+        last = Some(modes(&mut panels, sheet, trace, "mode", &trace.modes, &trace.mode));
+    }
+    if !trace.places.is_empty() {
+        last = Some(modes(&mut panels, sheet, trace, "within", &trace.places, &trace.place));
     }
     let Some(last) = last else { return };
     last.horizontal_axis(&mut panels, sheet.time, 10.0, "time (s)");
@@ -156,20 +159,21 @@ fn flag(svg: &mut Svg, sheet: &Sheet, trace: &Trace, panel: Panel, column: &Colu
     panel.frame(svg);
 }
 
-/// The active mode as a step, with the modes' numbers and names (LMSL fig. 12).
-fn modes(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace) -> Panel {
-    let count = trace.modes.len() as f64;
+/// Which of some modes or places was active, as a step, with their numbers and names (LMSL fig. 12).
+fn modes(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace, title: &str, names: &[String], active: &[u32]) -> Panel {
+    let count = names.len() as f64;
     let panel = sheet.panel(svg, (count * 17.0).max(60.0), 22.0);
     let half = panel.height() / count / 2.0;
     let scale = Scale { low: 0.0, high: (count - 1.0).max(1.0), from: panel.bottom - half, to: panel.top + half };
-    for (number, name) in trace.modes.iter().enumerate() {
+    for (number, name) in names.iter().enumerate() {
         let y = scale.px(number as f64);
         svg.line("grid", (panel.left, y), (panel.right, y));
         svg.text("", (panel.left - 7.0, y + 4.0), Anchor::End, &number.to_string());
-        svg.cut_text("", (panel.left - 27.0, y + 4.0), Anchor::End, name, MODE_NAME);
+        let innermost = name.rsplit('.').next().unwrap_or(name);
+        svg.cut_text("", (panel.left - 27.0, y + 4.0), Anchor::End, innermost, MODE_NAME);
     }
-    panel.legend_name(svg, 0, "name", "mode");
-    let ticks = trace.times.iter().zip(&trace.mode);
+    panel.legend_name(svg, 0, "name", title);
+    let ticks = trace.times.iter().zip(active);
     let points = ticks.map(|(&time, &mode)| (sheet.time.px(seconds(time)), scale.px(f64::from(mode))));
     let data = curve(steps(points), sheet.bucket);
     svg.shape("mode", &data);

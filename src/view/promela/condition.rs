@@ -125,6 +125,7 @@ fn text(program: &Program, sources: &Sources, diagram: &Diagram, atom: &Atom, te
         Atom::Past(Past::Falling, of) => format!("falling({})", texts[*of]),
         Atom::Past(Past::Held(duration), of) => format!("held({}, {})", texts[*of], seconds(*duration)),
         Atom::Past(Past::Latched, of) => format!("latched({})", texts[*of]),
+        Atom::Inside(path) => program.inside(diagram, path),
         Atom::Done => "done".to_owned(),
         Atom::Open(id) => {
             let written = sources.slice(program.exprs[*id].span);
@@ -162,7 +163,7 @@ fn open(atom: &Atom, flag: &str, values: &[String]) -> Option<String> {
         }
         Atom::Past(Past::Falling, of) => (format!("!{} -> {flag} = true", values[*of]), "skip".to_owned()),
         Atom::Past(Past::Latched, of) => (format!("{flag} = true"), format!("!{}", values[*of])),
-        Atom::Done | Atom::Open(_) => (format!("{flag} = true"), "skip".to_owned()),
+        Atom::Done | Atom::Inside(_) | Atom::Open(_) => (format!("{flag} = true"), "skip".to_owned()),
         _ => return None,
     };
     Some(format!("if :: {claimed} :: {denied} fi"))

@@ -7,7 +7,7 @@ behavior odd on j5 {
 
     mode go {
         drive(26 cm/s)
-        1: other.mode is go           -> wait //~ error LM0105
+        1: other.mode is go           -> wait //~ error LM0201
         2: contact_force - 3 N > 10 N -> wait //~ error LM0105
     }
     mode wait {
@@ -16,26 +16,6 @@ behavior odd on j5 {
     }
 }
 
-activity tidy on j5 { //~ error LM0105
-    entry work
-
-    mode work = obstacle_avoidance {
-        1: after 5 s -> again
-    }
-}
-
-goal keep_tidy on j5 { //~ error LM0105
-    entry work
-
-    mode work = tidy {
-        1: after 5 s -> again
-    }
-}
-
 team pushers { //~ error LM0105
-    robot a = j5 runs tidy
-}
-
-scenario tidy_up runs tidy on j5 {
-    duration 3 s
+    robot a = j5 runs odd
 }

@@ -30,7 +30,7 @@ behavior asks on pusher {
         8: broken is low                -> again
         9: xx is low                    -> again //~ error LM0201
         10: up is low                   -> again //~ error LM0309
-        11: other_robot.mode is go      -> again //~ error LM0105
+        11: other_robot.mode is go      -> again //~ error LM0201
         12: up_and_down                 -> again
     }
 }
