@@ -94,6 +94,7 @@ impl Here<'_> {
             ("->", "robot" | "interface") => words(&["done"]),
             ("->", _) => [self.modes(), words(&["again"])].concat(),
             ("else" | "entry", _) => self.modes(),
+            ("=", "activity" | "goal") if line.contains(&"mode") => self.diagrams(),
             ("requires" | "fault" | "fail", _) => self.sensors(),
             (",", "behavior" | "activity" | "goal") if line.contains(&"requires") => self.sensors(),
             ("sense", _) => self.networks(),
@@ -170,7 +171,18 @@ impl Here<'_> {
         let unit = self.known.analysis.units.iter().find(|unit| unit.file == self.file);
         match unit.map(|unit| unit.tree.kind) {
             Some(crate::syntax::ast::FileKind::Fusion) => words(&["import", "network", "variable"]),
-            _ => words(&["behavior", "import", "interface", "property", "robot", "scenario", "world"]),
+            _ => words(&[
+                "activity",
+                "arbiter",
+                "behavior",
+                "goal",
+                "import",
+                "interface",
+                "property",
+                "robot",
+                "scenario",
+                "world",
+            ]),
         }
     }
 
@@ -239,7 +251,11 @@ impl Here<'_> {
 
     fn events_of(&self, sense: &str) -> Vec<CompletionItem> {
         let Some(id) = self.diagram() else { return Vec::new() };
-        let senses = self.program.diagrams[id].senses.iter().filter(|known| known.symbol.name == sense);
+        let diagram = &self.program.diagrams[id];
+        if diagram.modes.values().any(|mode| mode.runs.is_some() && mode.symbol.name == sense) {
+            return words(&["mode"]);
+        }
+        let senses = diagram.senses.iter().filter(|known| known.symbol.name == sense);
         senses.flat_map(|sense| self.events(sense.network)).collect()
     }
 

@@ -172,6 +172,8 @@ pub(super) fn plan() -> Plan {
             on_exit: 0..0,
             draws: if *name == "random_turn" { 0..1 } else { 0..0 },
             required: 0..0,
+            is_final: false,
+            runs: None,
             otherwise: None,
         }
     });
@@ -185,6 +187,8 @@ pub(super) fn plan() -> Plan {
         fail: 0.0,
     };
     Plan {
+        position: 0,
+        inner: Vec::new(),
         name: "manipulation".to_owned(),
         origin: Origin::default(),
         robot: "j5".to_owned(),
