@@ -76,7 +76,8 @@ impl<'a> Graph<'a> {
             | Step::After { .. }
             | Step::Done { .. }
             | Step::InMode { .. } => {}
-            Step::Degree { of, .. }
+            Step::Average { of, .. }
+            | Step::Degree { of, .. }
             | Step::Complement { of, .. }
             | Step::Very { of, .. }
             | Step::Somewhat { of, .. }
@@ -141,6 +142,7 @@ enum Value {
 fn result(step: &Step) -> Value {
     match *step {
         Step::Read { to, .. }
+        | Step::Average { to, .. }
         | Step::Group { to, .. }
         | Step::Constant { to, .. }
         | Step::Degree { to, .. }

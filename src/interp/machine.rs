@@ -62,6 +62,7 @@ pub struct Phase {
     memories: Vec<bool>,
     latches: Vec<bool>,
     counters: Vec<u32>,
+    readings: Vec<u64>,
 }
 
 /// A diagram being run. `step` allocates nothing.
@@ -207,6 +208,7 @@ impl<'p> Machine<'p> {
             memories: memories.to_vec(),
             latches: latches.to_vec(),
             counters: counters.to_vec(),
+            readings: self.memory.kept_readings().collect(),
         }
     }
 

@@ -7,9 +7,9 @@ use super::known::Known;
 use super::names::Entity;
 use crate::analysis::modes::{ModeFacts, fault_table};
 use crate::analysis::network::{EventFacts, RuleFacts, Verdict, analyze};
-use crate::base::{Exact, FileId, Id, Span, Unit};
+use crate::base::{Exact, FileId, Id, Span, Unit, show_time};
 use crate::diag::{Severity, rules};
-use crate::ir::{Diagram, Mode, Network, Program, Symbol, Term, Transition};
+use crate::ir::{Diagram, Group, Mode, Network, Program, Sensor, Symbol, Term, Transition};
 
 /// What is known of what stands at a byte of a file.
 pub(super) fn hover(known: &Known, file: FileId, byte: usize) -> Option<Hover> {
@@ -80,6 +80,7 @@ fn of_entity(known: &Known, entity: Entity) -> String {
                 let of = group.of.iter().map(|&id| format!("`{}`", program.sensors[id].symbol.name));
                 let how = format!("{:?}", group.how).to_lowercase();
                 page.text(format!("{how} of {}", of.collect::<Vec<_>>().join(", ")));
+                page.text(means(program, group));
             }
             page.text(in_si(sensor.range, &sensor.unit));
             page.text(if sensor.optional { "A robot can do without it." } else { "" });
@@ -98,6 +99,21 @@ fn of_entity(known: &Known, entity: Entity) -> String {
         Entity::Interface(_) | Entity::Robot(_) | Entity::Action(_) | Entity::World(_) | Entity::Scenario(_) => {}
     }
     page.0.join("\n\n")
+}
+
+/// How many readings a logical sensor takes the mean of, and how long they take.
+fn means(program: &Program, group: &Group) -> String {
+    let several = group.of.iter().zip(&group.readings).filter(|(_, count)| **count > 1);
+    let several = several.map(|(&id, &count)| {
+        let Sensor { symbol, period, .. } = &program.sensors[id];
+        (symbol.name.split('[').next().unwrap_or_default(), count, period.saturating_mul(count.into()))
+    });
+    let mut several: Vec<_> = several.collect();
+    several.dedup();
+    let lines = several.into_iter().map(|(name, count, time)| {
+        format!("`{name}` is the mean of its last {count} readings, which take {}.", show_time(time))
+    });
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 fn symbol(program: &Program, entity: Entity) -> &Symbol {
