@@ -7,6 +7,7 @@ use super::known::Known;
 use super::names::Entity;
 use crate::analysis::modes::{ModeFacts, fault_table};
 use crate::analysis::network::{EventFacts, RuleFacts, Verdict, analyze};
+use crate::analysis::timing;
 use crate::base::{Exact, FileId, Id, Span, Unit, show_time};
 use crate::diag::{Severity, rules};
 use crate::ir::{Diagram, Group, Mode, Network, Program, Sensor, Symbol, Term, Transition};
@@ -89,11 +90,15 @@ fn of_entity(known: &Known, entity: Entity) -> String {
         Entity::Action(id) if program.actions[id].reports_done => {
             page.text("It reports completion: `done` holds then.");
         }
-        Entity::Mode(id, mode) => page.text(mode_facts(known, id, mode)),
+        Entity::Mode(id, mode) => {
+            page.text(mode_facts(known, id, mode));
+            page.text(reactions(program, id, Some(mode)));
+        }
         Entity::Flag(id, _) | Entity::Sense(id, _) => page.text(format!("of `{}`", program.diagrams[id].symbol.name)),
         Entity::Diagram(id) => {
             let modes = program.diagrams[id].modes.values().map(|mode| format!("`{}`", mode.symbol.name));
             page.text(format!("modes: {}", modes.collect::<Vec<_>>().join(", ")));
+            page.text(reactions(program, id, None));
         }
         Entity::Property(id) => page.text(format!("`{}`", program.properties[id].text)),
         Entity::Interface(_) | Entity::Robot(_) | Entity::Action(_) | Entity::World(_) | Entity::Scenario(_) => {}
@@ -114,6 +119,13 @@ fn means(program: &Program, group: &Group) -> String {
         format!("`{name}` is the mean of its last {count} readings, which take {}.", show_time(time))
     });
     lines.collect::<Vec<_>>().join("\n")
+}
+
+/// What a mode, or an arbiter, can do about an obstacle in its way.
+fn reactions(program: &Program, diagram: Id<Diagram>, mode: Option<Id<Mode>>) -> String {
+    let reactions = timing::reactions(program, diagram).into_iter().filter(|reaction| reaction.mode == mode);
+    let lines = reactions.map(|reaction| format!("In its way: {}.", reaction.told(program)));
+    lines.collect::<Vec<_>>().join("\n\n")
 }
 
 fn symbol(program: &Program, entity: Entity) -> &Symbol {
