@@ -45,7 +45,8 @@ fn layers(count: usize) -> Analysis {
         *text += &format!("{title} on j5 {{\n {sense}\n entry m0\n");
         for mode in 0..count {
             let (next, far) = ((mode + 1) % count, (mode * 3 + 1) % count);
-            *text += &format!(" mode m{mode} {} 1: {} -> m{far} 2: after 90 s -> m{next} }}\n", inner(mode), guard(mode));
+            *text +=
+                &format!(" mode m{mode} {} 1: {} -> m{far} 2: after 90 s -> m{next} }}\n", inner(mode), guard(mode));
         }
         *text += "}\n";
     };

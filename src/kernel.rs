@@ -10,7 +10,13 @@
 /// the number clamped to its range. `low <= high`; never NaN if `fail` is not.
 #[inline]
 pub fn sanitize(reading: f64, healthy: bool, low: f64, high: f64, fail: f64) -> f64 {
-    if healthy && reading.is_finite() { maximum(minimum(reading, high), low) } else { fail }
+    if is_usable(reading, healthy) { maximum(minimum(reading, high), low) } else { fail }
+}
+
+/// Whether a reading is one: a number, of a sensor that is not known to have failed.
+#[inline]
+pub fn is_usable(reading: f64, healthy: bool) -> bool {
+    healthy && reading.is_finite()
 }
 
 /// Degree of membership (LMSL eq. 1) of a line from 0 at `zero_at` to 1 at `one_at`, in either direction, clamped.
@@ -500,6 +506,45 @@ pub fn outweighs_with_hysteresis(contributor: f64, detractor: f64, hysteresis: f
         false
     } else {
         before
+    }
+}
+
+/// The mean of the last readings of a sensor (Sobh §3.4), which are kept beside it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Window {
+    /// How many readings are kept, from the first place on.
+    pub held: usize,
+    /// The place of the next one.
+    pub next: usize,
+    /// Nanoseconds until it is due.
+    pub left: u64,
+    /// The mean of those that are kept.
+    pub mean: f64,
+}
+
+impl Window {
+    /// Lets `dt` nanoseconds pass, and keeps `reading` in the place of the oldest where one is due: the first at once, and
+    /// from then on one every `period` nanoseconds, above 0. Answers the mean of all that are kept. A reading that is not
+    /// usable is answered as it is, and empties the window. Linear in the length of `readings` where one is due.
+    #[inline]
+    pub fn observe(&mut self, readings: &mut [f64], reading: f64, usable: bool, dt: u64, period: u64) -> f64 {
+        if !usable {
+            *self = Self { held: 0, next: 0, left: 0, mean: reading };
+            return reading;
+        }
+        if dt < self.left {
+            self.left = self.left.wrapping_sub(dt);
+            return self.mean;
+        }
+        let late = if self.held == 0 { 0 } else { dt.wrapping_sub(self.left) };
+        self.left = period.wrapping_sub(late.checked_rem(period).unwrap_or(0));
+        if let Some(place) = readings.get_mut(self.next) {
+            *place = reading;
+        }
+        self.held = readings.len().min(self.held.saturating_add(1));
+        self.next = self.next.saturating_add(1).checked_rem(readings.len()).unwrap_or(0);
+        self.mean = mean_reading(readings.get(..self.held).unwrap_or_default());
+        self.mean
     }
 }
 

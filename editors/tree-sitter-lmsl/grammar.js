@@ -158,7 +158,14 @@ module.exports = grammar({
             ),
         _sensor_clause: ($) =>
             choice($.fails_clause, seq('=', $.path), seq(choice('noise', 'accuracy', 'period', 'beam'), $.quantity)),
-        logical: ($) => seq('logical', field('name', $.identifier), '=', $.expression),
+        logical: ($) =>
+            seq(
+                'logical',
+                field('name', $.identifier),
+                '=',
+                $.expression,
+                optional(seq('within', $.quantity)),
+            ),
         action: ($) =>
             prec.right(
                 seq(

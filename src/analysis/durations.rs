@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::modes::parts;
-use crate::base::{FileId, Id, Span, Unit};
+use crate::base::{FileId, Id, Span, show_time};
 use crate::diag::{Diagnostic, rules};
 use crate::ir::{Diagram, Op, Program, Scenario};
 
@@ -48,16 +48,9 @@ fn times(program: &Program, diagram: &Diagram) -> BTreeSet<(Span, u64)> {
     conditions.filter_map(time).collect()
 }
 
-/// A time for people, in the largest unit of which it has one: `1.5 s`, `20 ms`.
-pub(super) fn shown(nanoseconds: u64) -> String {
-    let seconds = nanoseconds as f64 / 1e9;
-    let unit = ["s", "ms", "us"].into_iter().filter_map(Unit::parse).find(|unit| seconds >= unit.scale.to_f64());
-    unit.map_or_else(|| format!("{nanoseconds} ns"), |unit| unit.show(seconds))
-}
-
 fn below_tick(span: Span, duration: u64, scenario: &Scenario) -> Diagnostic {
-    let (tick, name) = (shown(scenario.tick), &scenario.symbol.name);
-    let message = format!("{} is shorter than a tick of `{name}`", shown(duration));
+    let (tick, name) = (show_time(scenario.tick), &scenario.symbol.name);
+    let message = format!("{} is shorter than a tick of `{name}`", show_time(duration));
     Diagnostic::new(&rules::BELOW_TICK, span, message)
         .here("has passed by the next tick")
         .label(scenario.symbol.span, format!("ticks of {tick}"))
@@ -67,17 +60,17 @@ fn below_tick(span: Span, duration: u64, scenario: &Scenario) -> Diagnostic {
 
 fn between_ticks(span: Span, duration: u64, scenario: &Scenario) -> Diagnostic {
     let end = duration.div_ceil(scenario.tick).saturating_mul(scenario.tick);
-    let message = format!("{} ends between two ticks of `{}`", shown(duration), scenario.symbol.name);
+    let message = format!("{} ends between two ticks of `{}`", show_time(duration), scenario.symbol.name);
     Diagnostic::new(&rules::BETWEEN_TICKS, span, message)
-        .here(format!("has passed on the tick at {}", shown(end)))
-        .label(scenario.symbol.span, format!("ticks of {}", shown(scenario.tick)))
+        .here(format!("has passed on the tick at {}", show_time(end)))
+        .label(scenario.symbol.span, format!("ticks of {}", show_time(scenario.tick)))
         .note("time is looked at once a tick, and a tick is 10 ms where a scenario does not say")
 }
 
 fn cut_short(scenario: &Scenario) -> Diagnostic {
     let (duration, tick) = (scenario.duration, scenario.tick);
-    let message = format!("`{}` lasts {}, which ends between two ticks", scenario.symbol.name, shown(duration));
+    let message = format!("`{}` lasts {}, which ends between two ticks", scenario.symbol.name, show_time(duration));
     Diagnostic::new(&rules::BETWEEN_TICKS, scenario.symbol.span, message)
-        .here(format!("the last tick is at {}", shown(duration - duration % tick)))
-        .note(format!("it has a tick every {}", shown(tick)))
+        .here(format!("the last tick is at {}", show_time(duration - duration % tick)))
+        .note(format!("it has a tick every {}", show_time(tick)))
 }

@@ -2,9 +2,8 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::durations::shown;
 use super::modes::{Conditions, Outcomes};
-use crate::base::{FileId, Span};
+use crate::base::{FileId, Span, show_time};
 use crate::diag::{Diagnostic, rules};
 use crate::ir::{Diagram, Expectation, ExpectationKind, Program, Scenario, Window};
 
@@ -71,7 +70,7 @@ fn has_tick(scenario: &Scenario, window: Window) -> bool {
 }
 
 fn ends(scenario: &Scenario) -> String {
-    format!("has a tick every {}, and ends after {}", shown(scenario.tick), shown(scenario.duration))
+    format!("has a tick every {}, and ends after {}", show_time(scenario.tick), show_time(scenario.duration))
 }
 
 fn never_fails(expectation: &Expectation, why: &str) -> Diagnostic {

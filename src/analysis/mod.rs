@@ -1,6 +1,6 @@
 //! What can be said of the program without running it: one file a check.
 //!
-//! Everything is decided exactly, in rational arithmetic.
+//! Everything is decided exactly, in rational arithmetic, but for `timing`: bodies and speeds are doubles.
 //!
 //! Imports: base, diag, ir, membership
 //! Crates: batsat, petgraph
@@ -25,6 +25,7 @@ mod reachability;
 mod requirements;
 mod silent;
 mod support;
+pub mod timing;
 mod vanishing_end;
 
 pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, ModesRow, RuleRows, fault_table};
@@ -55,6 +56,7 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
         outputs::check(program, id, faults, &mut findings);
     }
     for (id, diagram) in program.diagrams.iter().filter(|(_, diagram)| matters(&diagram.symbol)) {
+        timing::check(program, id, &mut findings);
         if let Some(arbiter) = &diagram.arbiter {
             if !diagram.incomplete {
                 arbiters::check(program, arbiter, &mut findings);

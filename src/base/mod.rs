@@ -17,4 +17,4 @@ pub use quantity::{Dimension, Exact, Quantity};
 pub use read::read_quantity;
 pub use source::{Source, Sources};
 pub use span::{FileId, Span};
-pub use unit::{UNITS, Unit, UnitName, find_unit};
+pub use unit::{UNITS, Unit, UnitName, find_unit, show_time};

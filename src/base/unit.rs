@@ -72,6 +72,13 @@ impl Unit {
     }
 }
 
+/// Nanoseconds for people to read, in the largest unit of which there is one: `1.5 s`, `20 ms`.
+pub fn show_time(nanoseconds: u64) -> String {
+    let seconds = nanoseconds as f64 / 1e9;
+    let unit = ["s", "ms", "us"].into_iter().filter_map(Unit::parse).find(|unit| seconds >= unit.scale.to_f64());
+    unit.map_or_else(|| format!("{nanoseconds} ns"), |unit| unit.show(seconds))
+}
+
 const fn unit(name: &'static str, meaning: &'static str, scale: (i128, i128, i8), powers: [i8; 6]) -> UnitName {
     UnitName { name, meaning, numerator: scale.0, denominator: scale.1, pi: scale.2, dimension: Dimension::of(powers) }
 }

@@ -173,6 +173,8 @@ rules! {
     MODE_MISSED "LM0607" "mode-missed" Info "a mode that is never reached by a machine that starts with a failed sensor"
     INTERMITTENT_FAILURE "LM0608" "intermittent-failure" Info "two modes between which a failure that comes and goes drives to and fro"
 
+    REACTS_TOO_LATE "LM0701" "reacts-too-late" Warning "a robot that can be at an obstacle before it stands"
+
     BAD_PLACEMENT "LM0801" "bad-placement" Error "a scenario whose bodies overlap at the start"
     NO_SCENARIO "LM0802" "no-scenario" Error "a file without a scenario to run"
     RUN_TOO_LONG "LM0803" "run-too-long" Error "a scenario with more ticks than can be recorded"

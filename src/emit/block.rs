@@ -70,9 +70,10 @@ impl<'w> Block<'w> {
     /// What a network says.
     fn sense(&mut self, sense: &Sensed<'_>) {
         let Sensed { name, method, memory, says, .. } = sense;
+        let averaged = self.wiring.averages(sense);
         let dt = (*says == Says::Events).then(|| quote! { , dt_ns });
         let memory = sense.remembers().then(|| quote! { &mut self.#memory #dt });
-        self.statements.extend(quote! { let #name = inputs.#method(#memory); });
+        self.statements.extend(quote! { let #name = inputs.#method(#(#averaged,)* #memory); });
         let said = self.wiring.events.keys().chain(self.wiring.outputs.keys());
         let same = said.filter(|&&node| self.wiring.said(node).is_some_and(|(of, _)| of.name == *name));
         self.bound.extend(same);
@@ -84,7 +85,7 @@ impl<'w> Block<'w> {
         kept.contains_key(&node)
     }
 
-    /// Brings a stopwatch, a latch or a counter up to this tick.
+    /// Brings a window, a stopwatch, a latch or a counter up to this tick.
     pub(super) fn keep(&mut self, node: Node) {
         let wiring = self.wiring;
         self.bind(wiring.graph.operands(node));
@@ -95,6 +96,16 @@ impl<'w> Block<'w> {
         let (Some((place, name)), Some(&operand)) = (place, wiring.graph.operands(node).first()) else { return };
         let of = self.value(operand);
         self.statements.extend(match wiring.graph.code.steps[node] {
+            Step::Average { input, period, .. } => {
+                let (of, period) = (of.tokens(), layout::nanoseconds(period));
+                let (sensor, readings) = (&wiring.sensors[input as usize], wiring.windows.get(&node));
+                quote! {
+                    let usable = kernel::is_usable(inputs.#sensor, !inputs.failed.#sensor);
+                    let #name = kernel::Window::observe(
+                        &mut #place, &mut self.#readings, #of, usable, dt_ns, #period,
+                    );
+                }
+            }
             Step::Lasts { duration, .. } => {
                 let (of, duration) = (of.tokens(), layout::nanoseconds(duration));
                 quote! { let #name = kernel::Stopwatch::lasts(&mut #place, #of, dt_ns, #duration); }
@@ -125,7 +136,7 @@ impl<'w> Block<'w> {
         let place = match (self.wiring.kept.get(&node), self.mode.and_then(|mode| mode.kept.get(&node))) {
             (_, Some(name)) => quote! { *#name },
             (Some(name), None) => match self.wiring.graph.code.steps[node] {
-                Step::Lasts { .. } => quote! { #name },
+                Step::Average { .. } | Step::Lasts { .. } => quote! { #name },
                 _ => quote! { self.#name },
             },
             (None, None) => return self.first_value(node),
@@ -191,6 +202,10 @@ impl<'w> Block<'w> {
         let first = operands.first().map(Expression::tokens).unwrap_or_default();
         let sensor = |input: u32| &wiring.sensors[input as usize];
         Expression::whole(match &wiring.graph.code.steps[node] {
+            Step::Group { how, .. } if wiring.is_averaged(node) => {
+                let (function, of) = (super::machine::grouping(*how), operands.iter().map(Expression::tokens));
+                quote! { kernel::#function(&[#(#of),*]) }
+            }
             Step::Read { .. } | Step::Group { .. } => {
                 let name = wiring.reading(node);
                 quote! { inputs.#name() }
@@ -238,6 +253,7 @@ impl<'w> Block<'w> {
             | Step::Outweighs { .. }
             | Step::OutweighsWithHysteresis { .. }
             | Step::Hold { .. }
+            | Step::Average { .. }
             | Step::Lasts { .. }
             | Step::Latched { .. }
             | Step::Count { .. }

@@ -77,7 +77,8 @@ impl<'a> Graph<'a> {
             | Step::Done { .. }
             | Step::InMode { .. }
             | Step::Inside { .. } => {}
-            Step::Degree { of, .. }
+            Step::Average { of, .. }
+            | Step::Degree { of, .. }
             | Step::Complement { of, .. }
             | Step::Very { of, .. }
             | Step::Somewhat { of, .. }
@@ -142,6 +143,7 @@ enum Value {
 fn result(step: &Step) -> Value {
     match *step {
         Step::Read { to, .. }
+        | Step::Average { to, .. }
         | Step::Group { to, .. }
         | Step::Constant { to, .. }
         | Step::Degree { to, .. }

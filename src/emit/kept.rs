@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::graph::Node;
@@ -42,7 +42,7 @@ impl Wiring<'_> {
     }
 
     /// What the machine itself keeps, beside the active mode and the random numbers.
-    pub(super) fn fields(&self) -> Vec<Field> {
+    pub(super) fn fields(&self, emission: Emission<'_>) -> Vec<Field> {
         let said = self.events.iter().chain(&self.outputs);
         let remembered = said.filter(|(node, _)| self.always.contains(node)).map(|(_, (sense, _))| *sense);
         let remembered: BTreeSet<usize> = remembered.collect();
@@ -65,7 +65,8 @@ impl Wiring<'_> {
             initial: Some(quote! { false }),
         });
         let kept = self.kept.iter().map(|(node, name)| self.field(*node, name));
-        let mut fields: Vec<_> = memories.chain(before).chain(kept).collect();
+        let windows = self.windows.iter().filter_map(|(node, name)| self.readings(*node, name, emission));
+        let mut fields: Vec<_> = memories.chain(before).chain(kept).chain(windows).collect();
         if self.keeps_time {
             fields.push(elapsed(u64::MAX));
         }
@@ -84,10 +85,31 @@ impl Wiring<'_> {
         quote! { #(#kept)* #elapsed }
     }
 
-    /// A stopwatch, a latch or a counter.
+    /// The readings that a window keeps.
+    fn readings(&self, node: Node, name: &Ident, emission: Emission<'_>) -> Option<Field> {
+        let Step::Average { input, ref readings, .. } = self.graph.code.steps[node] else { return None };
+        let (float, zero) = (emission.float(), emission.number(0.0));
+        let count = Literal::usize_unsuffixed(readings.len());
+        Some(Field {
+            doc: format!("The last readings of `{}`.", self.plan.inputs.get(input as usize)?.name),
+            name: name.clone(),
+            kind: quote! { [#float; #count] },
+            initial: Some(quote! { [#zero; #count] }),
+        })
+    }
+
+    /// A window, a stopwatch, a latch or a counter.
     fn field(&self, node: Node, name: &Ident) -> Field {
         let text = self.graph.operands(node).first().map_or("", |&of| self.text(of));
         let (doc, kind, initial) = match self.graph.code.steps[node] {
+            Step::Average { input, .. } => {
+                let sensor = self.plan.inputs.get(input as usize).map_or("", |input| &input.name);
+                (
+                    format!("The mean of the last readings of `{sensor}`."),
+                    quote! { kernel::Window },
+                    quote! { kernel::Window { held: 0, next: 0, left: 0, mean: 0.0 } },
+                )
+            }
             Step::Latched { .. } => {
                 (format!("Whether `{text}` has held since the mode was entered."), quote! { bool }, quote! { false })
             }

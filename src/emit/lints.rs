@@ -24,7 +24,7 @@ pub const LINTS: [(&str, &[&str]); 6] = [
             "clippy::struct_field_names",
         ],
     ),
-    ("a robot need not use everything", &["dead_code"]),
+    ("a robot need not use everything", &["clippy::unused_self", "dead_code"]),
     ("strengths stay in registers", &["clippy::inline_always"]),
     (
         "sizes are the user's",
@@ -41,8 +41,10 @@ pub const LINTS: [(&str, &[&str]); 6] = [
     (
         "conditions are the user's",
         &[
+            "clippy::double_comparisons",
             "clippy::eq_op",
             "clippy::if_same_then_else",
+            "clippy::manual_range_contains",
             "clippy::match_same_arms",
             "clippy::neg_cmp_op_on_partial_ord",
             "clippy::nonminimal_bool",

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::network;
 use super::wiring::{Says, Wiring};
@@ -54,29 +54,29 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         let name = wiring.reading(node)?;
         let of = wiring.graph.operands(node).into_iter().filter_map(|member| wiring.reading(member).cloned());
         let Step::Group { how, .. } = wiring.graph.code.steps[node] else { return None };
-        let function = match how {
-            Grouping::Minimum => quote! { smallest_reading },
-            Grouping::Maximum => quote! { largest_reading },
-            Grouping::Mean => quote! { mean_reading },
-            Grouping::Median => quote! { median_reading },
-        };
+        let function = grouping(how);
         Some(quote! { #[inline] fn #name(&self) -> #float { kernel::#function(&[#(self.#of()),*]) } })
     });
     let weighed = wiring.senses.iter().filter_map(|sense| {
         let (name, network) = (sense.method.as_ref()?, &sense.network.module);
-        let readings = sense.readings.iter().filter_map(|&node| wiring.reading(node));
+        let averaged = wiring.averages(sense);
+        let averaged = quote! { #(, #averaged: #float)* };
+        let readings = sense.readings.iter().filter_map(|&node| match wiring.averaged(node) {
+            Some(name) => Some(quote! { #name }),
+            None => wiring.reading(node).map(|name| quote! { self.#name() }),
+        });
         let memory = sense.remembers().then(|| quote! { , memory: &mut super::#network::Memory });
-        let readings = quote! { #(self.#readings()),* };
+        let readings = quote! { #(#readings),* };
         Some(match sense.says {
             Says::Events => {
                 let (dt, told) = memory.is_some().then(|| (quote! { , dt_ns: u64 }, quote! { memory, dt_ns })).unzip();
                 let events = quote! { super::#network::weigh(#readings).events(#told) };
-                quote! { #[inline] fn #name(&self #memory #dt) -> super::#network::Events { #events } }
+                quote! { #[inline] fn #name(&self #averaged #memory #dt) -> super::#network::Events { #events } }
             }
             Says::Outputs => {
                 let told = memory.is_some().then(|| quote! { , memory });
                 let outputs = quote! { super::#network::infer(#readings #told) };
-                quote! { #[inline] fn #name(&self #memory) -> super::#network::Outputs { #outputs } }
+                quote! { #[inline] fn #name(&self #averaged #memory) -> super::#network::Outputs { #outputs } }
             }
         })
     });
@@ -124,6 +124,19 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         #safe
         #failures
     }
+}
+
+/// The kernel's function that makes one reading of several.
+pub(super) fn grouping(how: Grouping) -> Ident {
+    format_ident!(
+        "{}",
+        match how {
+            Grouping::Minimum => "smallest_reading",
+            Grouping::Maximum => "largest_reading",
+            Grouping::Mean => "mean_reading",
+            Grouping::Median => "median_reading",
+        }
+    )
 }
 
 fn robot(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
@@ -217,7 +230,7 @@ fn state(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
 
 fn machine(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
     let blank = layout::blank();
-    let fields = wiring.fields();
+    let fields = wiring.fields(emission);
     let declared = fields.iter().map(|field| {
         let (doc, name, kind) = (layout::doc(&[&field.doc]), &field.name, &field.kind);
         quote! { #doc pub #name: #kind }

@@ -48,8 +48,10 @@ pub(super) struct Wiring<'a> {
     pub(super) always: BTreeSet<Node>,
     /// The step whose value on the tick before is kept, and where.
     pub(super) before: BTreeMap<Node, Ident>,
-    /// The stopwatches, latches and counters that the machine itself keeps.
+    /// The windows, stopwatches, latches and counters that the machine itself keeps.
     pub(super) kept: BTreeMap<Node, Ident>,
+    /// The readings that the windows keep.
+    pub(super) windows: BTreeMap<Node, Ident>,
     /// Whether the machine itself keeps the time in the mode.
     pub(super) keeps_time: bool,
     pub(super) modes: Vec<ModeParts>,
@@ -132,6 +134,7 @@ impl<'a> Wiring<'a> {
             always: BTreeSet::new(),
             before: BTreeMap::new(),
             kept: BTreeMap::new(),
+            windows: BTreeMap::new(),
             keeps_time: false,
             modes: Vec::new(),
             graph: Graph::new(&plan.code),
@@ -190,8 +193,28 @@ impl<'a> Wiring<'a> {
     pub(super) fn reading(&self, node: Node) -> Option<&Ident> {
         match self.graph.code.steps[node] {
             Step::Read { input, .. } => self.sensors.get(input as usize),
-            _ => self.logical.get(&node),
+            _ => self.logical.get(&node).filter(|_| !self.is_averaged(node)),
         }
+    }
+
+    /// Whether a step is a logical sensor that looks at more than the readings of one tick.
+    pub(super) fn is_averaged(&self, node: Node) -> bool {
+        let is_window = |node: &Node| matches!(self.graph.code.steps[*node], Step::Average { .. });
+        match self.graph.code.steps[node] {
+            Step::Group { .. } => self.graph.operands(node).iter().any(is_window),
+            _ => is_window(&node),
+        }
+    }
+
+    /// The local name of such a sensor.
+    pub(super) fn averaged(&self, node: Node) -> Option<&Ident> {
+        self.names.get(&node).or_else(|| self.kept.get(&node)).filter(|_| self.is_averaged(node))
+    }
+
+    /// The local names of what feeds a network and looks at more than the readings of one tick, each once.
+    pub(super) fn averages(&self, sense: &Sensed<'_>) -> Vec<&Ident> {
+        let nodes: BTreeSet<_> = sense.readings.iter().copied().collect();
+        nodes.into_iter().filter_map(|node| self.averaged(node)).collect()
     }
 
     /// What the conditions of some transitions need.
@@ -236,13 +259,15 @@ impl<'a> Wiring<'a> {
         let arguments =
             part(&self.plan.calls, calls).iter().flat_map(|call| part(&self.plan.arguments, &call.arguments));
         let nodes = arguments.filter_map(|&real| self.graph.real(real));
-        let is_given = |node: &Node| self.outputs.contains_key(node) || self.reading(*node).is_some();
+        let is_given =
+            |node: &Node| self.outputs.contains_key(node) || self.reading(*node).is_some() || self.is_averaged(*node);
         nodes.filter(is_given).collect()
     }
 
     /// What an output or a reading that a command is given is called.
     pub(super) fn given_name(&self, node: Node) -> String {
-        let name = self.outputs.get(&node).map(|(_, name)| name).or_else(|| self.reading(node));
+        let name = self.outputs.get(&node).map(|(_, name)| name);
+        let name = name.or_else(|| self.reading(node)).or_else(|| self.averaged(node));
         name.map(plain).unwrap_or_default()
     }
 
@@ -262,6 +287,10 @@ impl<'a> Wiring<'a> {
                 }
                 Step::Failed { input, .. } => {
                     self.watched.insert(input);
+                }
+                Step::Group { .. } if self.is_averaged(node) => {
+                    let name = self.logical.get(&node).map(plain).unwrap_or_default();
+                    self.names.insert(node, locals.snake(&name));
                 }
                 Step::Group { .. } => {
                     self.grouped.insert(node);
@@ -293,7 +322,11 @@ impl<'a> Wiring<'a> {
         let remembers = |&node: &Node| match self.said(node) {
             Some((sense, _)) => sense.remembers().then_some(node),
             None => match self.graph.code.steps[node] {
-                Step::Rising { .. } | Step::Falling { .. } | Step::Lasts { .. } | Step::InMode { .. } => Some(node),
+                Step::Average { .. }
+                | Step::Rising { .. }
+                | Step::Falling { .. }
+                | Step::Lasts { .. }
+                | Step::InMode { .. } => Some(node),
                 Step::Count { of, .. } => self.graph.bool(of),
                 _ => None,
             },
@@ -315,6 +348,9 @@ impl<'a> Wiring<'a> {
                     self.before.entry(of).or_insert_with(|| locals.snake(&format!("{name}_before")));
                 }
                 Step::After { .. } => self.keeps_time |= always,
+                Step::Average { .. } => {
+                    self.windows.insert(node, locals.snake(&format!("{name}_readings")));
+                }
                 _ => {}
             }
             if let Some(name) = self.kept_name(node).filter(|_| always) {
@@ -323,9 +359,10 @@ impl<'a> Wiring<'a> {
         }
     }
 
-    /// What a stopwatch, a latch or a counter is called.
+    /// What a window, a stopwatch, a latch or a counter is called.
     pub(super) fn kept_name(&self, node: Node) -> Option<String> {
         let what = match self.graph.code.steps[node] {
+            Step::Average { .. } => "mean",
             Step::Lasts { .. } => "held",
             Step::Latched { .. } => "latched",
             Step::Count { .. } => "count",
@@ -337,7 +374,8 @@ impl<'a> Wiring<'a> {
     /// What the first operand of a step is called in names made from it.
     fn operand_name(&self, node: Node) -> String {
         let of = self.graph.operands(node).first().copied();
-        let name = of.and_then(|of| self.names.get(&of).or_else(|| self.events.get(&of).map(|(_, name)| name)));
+        let event = |of: &Node| self.events.get(of).map(|(_, name)| name);
+        let name = of.and_then(|of| self.names.get(&of).or_else(|| event(&of)).or_else(|| self.reading(of)));
         name.map_or_else(|| "condition".to_owned(), plain)
     }
 }

@@ -64,6 +64,7 @@ pub struct Phase {
     counters: Vec<u32>,
     /// Of what runs inside its modes, where that can matter again.
     inner: Vec<Option<Self>>,
+    readings: Vec<u64>,
 }
 
 /// A diagram being run. `step` allocates nothing.
@@ -343,6 +344,7 @@ impl<'p> Machine<'p> {
                     inner.as_ref().filter(|inner| matters && inner.entered).map(|inner| inner.phase(dt))
                 })
                 .collect(),
+            readings: self.memory.kept_readings().collect(),
         }
     }
 

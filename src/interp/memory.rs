@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::Reading;
-use crate::kernel::{self, Stopwatch};
+use crate::kernel::{self, Stopwatch, Window};
 use crate::plan::{
     Aggregation, Bool, Code, Comparison, Find, Grouping, Implication, Input, Real, SNorm, Shape, Step, TNorm,
 };
@@ -14,6 +14,9 @@ pub(super) struct Memory<const ROWS: usize> {
     reals: Vec<[f64; ROWS]>,
     bools: Vec<[bool; ROWS]>,
     memories: Vec<bool>,
+    windows: Vec<Window>,
+    /// The readings that the windows keep.
+    readings: Vec<f64>,
     stopwatches: Vec<Stopwatch>,
     counters: Vec<u32>,
     latches: Vec<bool>,
@@ -46,6 +49,8 @@ impl<const ROWS: usize> Memory<ROWS> {
             reals: vec![[0.0; ROWS]; code.reals as usize],
             bools: vec![[false; ROWS]; code.bools as usize],
             memories: vec![false; code.memories as usize],
+            windows: vec![Window::default(); code.windows as usize],
+            readings: vec![0.0; code.readings as usize],
             stopwatches: vec![Stopwatch::default(); code.stopwatches as usize],
             counters: vec![0; code.counters as usize],
             latches: vec![false; code.latches as usize],
@@ -86,6 +91,8 @@ impl<const ROWS: usize> Memory<ROWS> {
     pub(super) fn restart(&mut self, code: &Code) {
         self.memories.fill(false);
         self.stopwatches.fill(Stopwatch::default());
+        self.windows.fill(Window::default());
+        self.readings.fill(0.0);
         self.kept.copy_from_slice(&code.kept);
         self.enter_mode();
     }
@@ -114,6 +121,12 @@ impl<const ROWS: usize> Memory<ROWS> {
         (&self.memories, &self.latches, &self.counters)
     }
 
+    /// What windows keep, number by number.
+    pub(super) fn kept_readings(&self) -> impl Iterator<Item = u64> {
+        let windows = self.windows.iter().flat_map(|of| [of.held as u64, of.next as u64, of.left, of.mean.to_bits()]);
+        windows.chain(self.readings.iter().map(|reading| reading.to_bits()))
+    }
+
     /// Runs some steps for every row. What remembers follows the rows in their order.
     pub(super) fn run(
         &mut self,
@@ -132,6 +145,15 @@ impl<const ROWS: usize> Memory<ROWS> {
                         Some(reading) => kernel::sanitize(reading.value, reading.healthy, low, high, fail),
                         None => fail,
                     });
+                }
+                Step::Average { input, of, period, window, ref readings, to } => {
+                    for row in rows.clone() {
+                        let usable =
+                            read(input, row).is_some_and(|reading| kernel::is_usable(reading.value, reading.healthy));
+                        let (reading, kept) = (self.real(of, row), &mut self.readings[range(readings)]);
+                        let window = &mut self.windows[window as usize];
+                        self.reals[to as usize][row] = window.observe(kept, reading, usable, dt, period);
+                    }
                 }
                 Step::Group { how, ref of, to } => self.group(how, &code.real_lists[range(of)], to),
                 Step::Constant { value, to } => self.set_reals(to, |_, _| value),

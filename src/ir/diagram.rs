@@ -200,8 +200,13 @@ pub struct DecisionRow {
 impl Mode {
     /// Every command it can give.
     pub fn commands(&self) -> impl Iterator<Item = &Call> {
+        self.on_enter.iter().chain(self.lasting()).chain(&self.on_exit)
+    }
+
+    /// Every command it can give while it lasts.
+    pub fn lasting(&self) -> impl Iterator<Item = &Call> {
         let decided = self.decision.iter().flat_map(|table| &table.rows).flat_map(|row| &row.commands);
-        self.on_enter.iter().chain(&self.actions).chain(decided).chain(&self.on_exit)
+        self.actions.iter().chain(decided)
     }
 }
 

@@ -92,6 +92,21 @@ impl Program {
         }
     }
 
+    /// A diagram and all that run inside its modes, each once.
+    pub fn layers(&self, diagram: Id<Diagram>) -> Vec<Id<Diagram>> {
+        let mut layers = vec![diagram];
+        let mut next = 0;
+        while let Some(&layer) = layers.get(next) {
+            next += 1;
+            for run in self.diagrams[layer].modes.values().filter_map(|mode| mode.runs) {
+                if !layers.contains(&run.diagram) {
+                    layers.push(run.diagram);
+                }
+            }
+        }
+        layers
+    }
+
     /// Modes inside each other as a condition names them, the first of a diagram: `explore.mode is stop`.
     pub fn inside(&self, diagram: &Diagram, path: &[Id<Mode>]) -> String {
         let (mut names, mut here) = (Vec::with_capacity(path.len()), Some(diagram));

@@ -118,7 +118,7 @@ pub struct Sensor {
     /// Standard deviation of its noise, in SI.
     pub noise: f64,
     /// Accuracy, in SI; 0 if not declared.
-    pub accuracy: f64,
+    pub accuracy: Exact,
     /// Nanoseconds between readings; 0 for a reading every tick.
     pub period: u64,
     /// rad across the beam of a range sensor; 0 for a line.
@@ -132,6 +132,8 @@ pub struct Group {
     pub how: Grouping,
     /// Sensors that measure, each once.
     pub of: Vec<Id<Sensor>>,
+    /// How many readings of each it takes the mean of (Sobh §3.4), in the same order; 1 where the last one is enough.
+    pub readings: Vec<u32>,
 }
 
 /// How one reading follows from several.

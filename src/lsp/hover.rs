@@ -7,9 +7,10 @@ use super::known::Known;
 use super::names::Entity;
 use crate::analysis::modes::{ModeFacts, fault_table};
 use crate::analysis::network::{EventFacts, RuleFacts, Verdict, analyze};
-use crate::base::{Exact, FileId, Id, Span, Unit};
+use crate::analysis::timing;
+use crate::base::{Exact, FileId, Id, Span, Unit, show_time};
 use crate::diag::{Severity, rules};
-use crate::ir::{Diagram, Mode, Network, Program, Symbol, Term, Transition};
+use crate::ir::{Diagram, Group, Mode, Network, Program, Sensor, Symbol, Term, Transition};
 
 /// What is known of what stands at a byte of a file.
 pub(super) fn hover(known: &Known, file: FileId, byte: usize) -> Option<Hover> {
@@ -80,6 +81,7 @@ fn of_entity(known: &Known, entity: Entity) -> String {
                 let of = group.of.iter().map(|&id| format!("`{}`", program.sensors[id].symbol.name));
                 let how = format!("{:?}", group.how).to_lowercase();
                 page.text(format!("{how} of {}", of.collect::<Vec<_>>().join(", ")));
+                page.text(means(program, group));
             }
             page.text(in_si(sensor.range, &sensor.unit));
             page.text(if sensor.optional { "A robot can do without it." } else { "" });
@@ -88,16 +90,42 @@ fn of_entity(known: &Known, entity: Entity) -> String {
         Entity::Action(id) if program.actions[id].reports_done => {
             page.text("It reports completion: `done` holds then.");
         }
-        Entity::Mode(id, mode) => page.text(mode_facts(known, id, mode)),
+        Entity::Mode(id, mode) => {
+            page.text(mode_facts(known, id, mode));
+            page.text(reactions(program, id, Some(mode)));
+        }
         Entity::Flag(id, _) | Entity::Sense(id, _) => page.text(format!("of `{}`", program.diagrams[id].symbol.name)),
         Entity::Diagram(id) => {
             let modes = program.diagrams[id].modes.values().map(|mode| format!("`{}`", mode.symbol.name));
             page.text(format!("modes: {}", modes.collect::<Vec<_>>().join(", ")));
+            page.text(reactions(program, id, None));
         }
         Entity::Property(id) => page.text(format!("`{}`", program.properties[id].text)),
         Entity::Interface(_) | Entity::Robot(_) | Entity::Action(_) | Entity::World(_) | Entity::Scenario(_) => {}
     }
     page.0.join("\n\n")
+}
+
+/// How many readings a logical sensor takes the mean of, and how long they take.
+fn means(program: &Program, group: &Group) -> String {
+    let several = group.of.iter().zip(&group.readings).filter(|(_, count)| **count > 1);
+    let several = several.map(|(&id, &count)| {
+        let Sensor { symbol, period, .. } = &program.sensors[id];
+        (symbol.name.split('[').next().unwrap_or_default(), count, period.saturating_mul(count.into()))
+    });
+    let mut several: Vec<_> = several.collect();
+    several.dedup();
+    let lines = several.into_iter().map(|(name, count, time)| {
+        format!("`{name}` is the mean of its last {count} readings, which take {}.", show_time(time))
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// What a mode, or an arbiter, can do about an obstacle in its way.
+fn reactions(program: &Program, diagram: Id<Diagram>, mode: Option<Id<Mode>>) -> String {
+    let reactions = timing::reactions(program, diagram).into_iter().filter(|reaction| reaction.mode == mode);
+    let lines = reactions.map(|reaction| format!("In its way: {}.", reaction.told(program)));
+    lines.collect::<Vec<_>>().join("\n\n")
 }
 
 fn symbol(program: &Program, entity: Entity) -> &Symbol {

@@ -12,6 +12,7 @@ use crate::ir;
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(super) enum Key {
     Read(u32),
+    Average(Real, u32),
     Group(ir::Grouping, Vec<Real>),
     Constant(u64),
     Degree(Real, ir::Shape),
@@ -153,11 +154,25 @@ impl<'a> Builder<'a> {
         self.real(Key::Read(input), |_, to| Step::Read { input, to })
     }
 
-    /// One reading from several inputs.
-    pub(super) fn group(&mut self, how: ir::Grouping, inputs: &[u32]) -> Real {
-        let of: Vec<_> = inputs.iter().map(|&input| self.read(input)).collect();
-        let key = Key::Group(how, of.clone());
-        self.real(key, |code, to| Step::Group { how, of: list(&mut code.real_lists, &of), to })
+    /// The mean of the last `count` readings of an input, one every `period` nanoseconds; its reading for one.
+    pub(super) fn average(&mut self, input: u32, count: u32, period: u64) -> Real {
+        let of = self.read(input);
+        if count == 1 {
+            return of;
+        }
+        self.real(Key::Average(of, count), |code, to| {
+            let readings = code.readings..code.readings + count;
+            code.readings = readings.end;
+            Step::Average { input, of, period, window: next(&mut code.windows), readings, to }
+        })
+    }
+
+    /// One reading from several.
+    pub(super) fn group(&mut self, how: ir::Grouping, of: &[Real]) -> Real {
+        if let &[single] = of {
+            return single;
+        }
+        self.real(Key::Group(how, of.to_vec()), |code, to| Step::Group { how, of: list(&mut code.real_lists, of), to })
     }
 
     /// What a sensor reads.

@@ -40,6 +40,10 @@ pub struct Code {
     pub bools: u32,
     /// How many truth values remember the tick before.
     pub memories: u32,
+    /// How many windows of readings there are.
+    pub windows: u32,
+    /// How many readings all of them keep.
+    pub readings: u32,
     /// How many stopwatches there are.
     pub stopwatches: u32,
     /// How many counters of the active mode there are.
@@ -55,6 +59,21 @@ pub enum Step {
     Read {
         /// The input.
         input: u32,
+        /// Where it goes.
+        to: Real,
+    },
+    /// `kernel::Window`: the mean of the last readings of an input.
+    Average {
+        /// The input.
+        input: u32,
+        /// What it reads.
+        of: Real,
+        /// Nanoseconds between two readings.
+        period: u64,
+        /// The window.
+        window: u32,
+        /// The places of the readings that are kept.
+        readings: Range<u32>,
         /// Where it goes.
         to: Real,
     },

@@ -239,8 +239,12 @@ impl<'a> Platform<'a> {
     fn lower_group(&self, sensor: Id<ir::Sensor>, builder: &mut Builder<'_>) -> Logical {
         let ir::Sensor { symbol, unit, group, .. } = &self.program.sensors[sensor];
         let of = self.inputs_of(sensor);
+        let members = group.iter().flat_map(|group| group.of.iter().zip(&group.readings)).zip(&of);
+        let members = members
+            .map(|((&member, &count), &input)| builder.average(input, count, self.program.sensors[member].period));
+        let members: Vec<_> = members.collect();
         let how = group.as_ref().map_or(ir::Grouping::Minimum, |group| group.how);
-        let value = builder.group(how, &of);
+        let value = builder.group(how, &members);
         Logical { name: symbol.name.clone(), origin: origin(symbol), unit: unit.clone(), of, value }
     }
 

@@ -41,6 +41,9 @@ impl Lower<'_> {
 
     fn grouped(&mut self, tree: &ast::Logical, sensors: &[Id<ir::Sensor>], groups: &[&str]) -> Option<ir::Sensor> {
         let ast::ExprKind::Call(call) = &tree.value.kind else {
+            if let Some(within) = &tree.within {
+                return self.read_again(tree, within, sensors, groups);
+            }
             let diagnostic = invalid(tree.value.span, "a logical sensor groups others");
             self.report(diagnostic.help("write `min(...)`, `max`, `mean`, `median`, or of contacts `any` or `all`"));
             return None;
@@ -58,15 +61,7 @@ impl Lower<'_> {
                 self.report(invalid(name.span, "sensors have no names in a group").help("leave the name out"));
                 sound = false;
             }
-            if let ast::ExprKind::Path(path) | ast::ExprKind::Index(path, _) = &argument.value.kind
-                && groups.contains(&join(path).as_str())
-            {
-                let message = format!("`{}` is a logical sensor", join(path));
-                self.report(invalid(path.span, message).help("name the sensors that measure; groups hold no groups"));
-                sound = false;
-                continue;
-            }
-            match self.measuring(&argument.value, sensors) {
+            match self.member(&argument.value, sensors, groups) {
                 Some(meant) => {
                     for id in meant {
                         if of.contains(&id) {
@@ -88,7 +83,7 @@ impl Lower<'_> {
             }
             return None;
         };
-        let first = &self.program.sensors[first];
+        let first = self.program.sensors[first].clone();
         for &id in &of {
             let sensor = &self.program.sensors[id];
             let diagnostic = match (of_contacts, sensor.is_contact) {
@@ -116,13 +111,31 @@ impl Lower<'_> {
             self.report(too_long(call.span, "the range of this group"));
             return None;
         };
-        let sensor = plain(symbol(&tree.name, tree.doc.as_ref()), false, first.unit.clone(), (low, high));
+        let readings = self.counts(tree.within.as_ref(), &of)?;
+        let sensor = plain(symbol(&tree.name, tree.doc.as_ref()), false, first.unit, (low, high));
         Some(ir::Sensor {
             is_contact: of_contacts,
             fails: self.group_fails(how, &of),
-            group: Some(ir::Group { how, of }),
+            group: Some(ir::Group { how, of, readings }),
             ..sensor
         })
+    }
+
+    /// The sensors that a member of a group names; reports one that is a group itself.
+    pub(super) fn member(
+        &mut self,
+        tree: &ast::Expr,
+        sensors: &[Id<ir::Sensor>],
+        groups: &[&str],
+    ) -> Option<Vec<Id<ir::Sensor>>> {
+        if let ast::ExprKind::Path(path) | ast::ExprKind::Index(path, _) = &tree.kind
+            && groups.contains(&join(path).as_str())
+        {
+            let message = format!("`{}` is a logical sensor", join(path));
+            self.report(invalid(path.span, message).help("name the sensors that measure; groups hold no groups"));
+            return None;
+        }
+        self.measuring(tree, sensors)
     }
 
     /// How a group reads when all of its sensors have failed, each in its first way, its second and so on, and where it is

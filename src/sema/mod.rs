@@ -27,6 +27,7 @@ mod sensors;
 mod shapes;
 mod unparsed;
 mod unused;
+mod windows;
 mod worlds;
 
 pub use conditions::FUNCTIONS;

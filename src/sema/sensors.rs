@@ -41,7 +41,7 @@ pub(super) fn plain(symbol: ir::Symbol, optional: bool, unit: Unit, range: (Exac
         fails: Vec::new(),
         source: None,
         noise: 0.0,
-        accuracy: 0.0,
+        accuracy: Exact::ZERO,
         period: 0,
         beam: 0.0,
     }
@@ -139,7 +139,7 @@ impl Lower<'_> {
                 ast::SensorClause::Noise(of) | ast::SensorClause::Accuracy(of) if sensor.is_contact => {
                     self.report(invalid(of.span, "a contact is set or clear, nothing between"));
                 }
-                ast::SensorClause::Noise(noise) => sensor.noise = self.spread(noise, &unit, "noise")?,
+                ast::SensorClause::Noise(noise) => sensor.noise = self.spread(noise, &unit, "noise")?.to_f64(),
                 ast::SensorClause::Accuracy(accuracy) => sensor.accuracy = self.spread(accuracy, &unit, "accuracy")?,
             }
         }
@@ -158,13 +158,13 @@ impl Lower<'_> {
         }
     }
 
-    fn spread(&mut self, quantity: &ast::Quantity, unit: &Unit, what: &str) -> Option<f64> {
+    fn spread(&mut self, quantity: &ast::Quantity, unit: &Unit, what: &str) -> Option<Exact> {
         let value = self.quantity_in(quantity, unit)?;
         if value < Exact::ZERO {
             self.report(invalid(quantity.span, format!("{what} cannot be negative")));
             return None;
         }
-        Some(value.to_f64())
+        Some(value)
     }
 
     /// The width of a beam, below half a turn.
@@ -355,7 +355,7 @@ pub(super) fn declared_name(sensor: &str) -> &str {
     sensor.split('[').next().unwrap_or(sensor)
 }
 
-fn several(span: Span, array: &str, written: &str) -> Diagnostic {
+pub(super) fn several(span: Span, array: &str, written: &str) -> Diagnostic {
     invalid(span, format!("`{written}` means several sensors")).help(format!(
         "name one, as in `{array}[0]`, or a logical sensor of the robot, as in `logical nearest = min({written})`"
     ))

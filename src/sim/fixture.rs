@@ -58,7 +58,7 @@ pub(super) fn program(body: ir::DifferentialDrive) -> ir::Program {
             fails: Vec::new(),
             source: Some(source),
             noise: 0.0,
-            accuracy: 0.0,
+            accuracy: Exact::ZERO,
             period: 0,
             beam: 0.0,
         })

@@ -30,6 +30,8 @@ struct Gauge<'a> {
     sensor: &'a ir::Sensor,
     /// The readings it can give, in SI.
     range: (f64, f64),
+    /// How far it may be off, in SI.
+    accuracy: f64,
     /// Which of the rings it is a beam of; 0 for one that is none.
     ring: usize,
     /// Its last reading, before faults; `None` without a source, or without a goal to find.
@@ -60,7 +62,7 @@ impl<'a> Sensing<'a> {
                     rings.push((Ring::new(of, sensor.beam, range.1, &world.robot()), key));
                 }
             }
-            Gauge { sensor, range, ring, value: None, due: 0 }
+            Gauge { sensor, range, accuracy: sensor.accuracy.to_f64(), ring, value: None, due: 0 }
         };
         let sensors: Vec<_> = robot.sensors.iter().map(gauge).collect();
         let mut stream = Stream::new(seed, Purpose::Faults);
@@ -86,7 +88,7 @@ impl<'a> Sensing<'a> {
     /// Reads all sensors at `time`, in nanoseconds. A sensor that the body does not provide counts as failed.
     pub(super) fn read(&mut self, body: &DifferentialDrive<'_>, world: &World, time: u64) -> &mut [Reading] {
         for (gauge, reading) in self.sensors.iter_mut().zip(&mut self.readings) {
-            let Gauge { sensor, range, .. } = *gauge;
+            let Gauge { sensor, range, accuracy, .. } = *gauge;
             if time >= gauge.due {
                 let truth = match sensor.source {
                     Some(SensorSource::Range { beam, .. }) => {
@@ -101,8 +103,7 @@ impl<'a> Sensing<'a> {
                 };
                 // Drawn whether or not a fault hides it, so that a fault leaves the noise of other sensors alone.
                 let noise = if sensor.noise > 0.0 { self.noise.normal() * sensor.noise } else { 0.0 };
-                let error =
-                    if sensor.accuracy > 0.0 { self.noise.between(-sensor.accuracy, sensor.accuracy) } else { 0.0 };
+                let error = if accuracy > 0.0 { self.noise.between(-accuracy, accuracy) } else { 0.0 };
                 gauge.value = truth.map(|truth| match sensor.source {
                     // Nothing in sight is no distance to err about.
                     Some(SensorSource::Range { .. }) if truth >= range.1 => range.1,

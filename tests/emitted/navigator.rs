@@ -22,7 +22,7 @@
     clippy::struct_field_names,
     reason = "names and documentation are the user's"
 )]
-#[allow(dead_code, reason = "a robot need not use everything")]
+#[allow(clippy::unused_self, dead_code, reason = "a robot need not use everything")]
 #[allow(clippy::inline_always, reason = "strengths stay in registers")]
 #[allow(
     clippy::fn_params_excessive_bools,
@@ -429,11 +429,17 @@ mod kernel {
     /// the number clamped to its range. `low <= high`; never NaN if `fail` is not.
     #[inline]
     pub fn sanitize(reading: f64, healthy: bool, low: f64, high: f64, fail: f64) -> f64 {
-        if healthy && reading.is_finite() {
+        if is_usable(reading, healthy) {
             maximum(minimum(reading, high), low)
         } else {
             fail
         }
+    }
+
+    /// Whether a reading is one: a number, of a sensor that is not known to have failed.
+    #[inline]
+    pub fn is_usable(reading: f64, healthy: bool) -> bool {
+        healthy && reading.is_finite()
     }
 
     /// Degree of membership of a triangle from `a` over `b` to `c`; `a <= b <= c`. Equal corners are steps with the larger

@@ -22,7 +22,7 @@
     clippy::struct_field_names,
     reason = "names and documentation are the user's"
 )]
-#[allow(dead_code, reason = "a robot need not use everything")]
+#[allow(clippy::unused_self, dead_code, reason = "a robot need not use everything")]
 #[allow(clippy::inline_always, reason = "strengths stay in registers")]
 #[allow(
     clippy::fn_params_excessive_bools,
@@ -258,11 +258,17 @@ mod kernel {
     /// the number clamped to its range. `low <= high`; never NaN if `fail` is not.
     #[inline]
     pub fn sanitize(reading: f64, healthy: bool, low: f64, high: f64, fail: f64) -> f64 {
-        if healthy && reading.is_finite() {
+        if is_usable(reading, healthy) {
             maximum(minimum(reading, high), low)
         } else {
             fail
         }
+    }
+
+    /// Whether a reading is one: a number, of a sensor that is not known to have failed.
+    #[inline]
+    pub fn is_usable(reading: f64, healthy: bool) -> bool {
+        healthy && reading.is_finite()
     }
 
     /// Degree of membership (LMSL eq. 1) of a line from 0 at `zero_at` to 1 at `one_at`, in either direction, clamped.

@@ -390,6 +390,7 @@ impl Trials {
                 Step::After { duration, .. } | Step::Lasts { duration, .. } | Step::Hold { duration, .. } => {
                     times.extend([*duration, duration.saturating_sub(1)]);
                 }
+                Step::Average { period, .. } => times.extend([*period, period - 1, period / 2]),
                 _ => {}
             }
         }

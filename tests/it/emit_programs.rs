@@ -134,7 +134,8 @@ pub fn program(seed: u64) -> (String, String) {
 const SENSORS: usize = 4;
 
 /// What feeds networks and is compared: sensors, elements of an array, logical sensors.
-const READINGS: [&str; 9] = ["s0", "s1", "s2", "s3", "a[0]", "a[2]", "nearest", "middle", "average"];
+const READINGS: [&str; 12] =
+    ["s0", "s1", "s2", "s3", "a[0]", "a[2]", "nearest", "middle", "average", "steady", "exact", "slow"];
 
 /// What is true or false without any network.
 const CONTACTS: [&str; 5] = ["c", "b[0]", "b[1]", "touched", "held"];
@@ -429,12 +430,14 @@ impl Program {
             let optional = if sensor > 1 { "optional " } else { "" };
             let range = self.random.one_of(&["0 .. 10", "-2 .. 12", "1 .. 9"]);
             let fails = self.random.one_of(&["", "fails 3", "fails 8, any"]);
-            writeln!(text, "    {optional}sensor s{sensor}: 1 in {range} {fails}").unwrap();
+            let rate = "accuracy 0.5 period 25 ms";
+            writeln!(text, "    {optional}sensor s{sensor}: 1 in {range} {fails} {rate}").unwrap();
         }
-        text += "    sensor a[3]: 1 in 0 .. 10 fails 4\n    sensor b[2]: contact fails set\n    sensor c: contact
+        text += "    sensor a[3]: 1 in 0 .. 10 fails 4 accuracy 2 period 20 ms\n    sensor b[2]: contact fails set\n    sensor c: contact
     logical nearest = min(a, s0)\n    logical farthest = max(a[1..2])\n    logical average = mean(a, s1, s2)
     logical middle = median(s0, s1, a)\n    logical between = median(a[0, 2])\n    logical touched = any(b, c)
-    logical held = all(b)\n";
+    logical held = all(b)\n    logical steady = s0 within 60 ms\n    logical exact = min(a, s1) within 1
+    logical slow = median(a[0], s0, s2) within 80 ms\n";
         text += "    action halt()\n    action drive(speed: m/s)\n    action arc(speed: m/s, radius: m)
     action turn(angle: deg) -> done\n    action ring(times: 1)\n}\n";
         text

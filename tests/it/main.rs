@@ -49,6 +49,7 @@ mod syntax;
 mod tables;
 mod terminal;
 mod tick;
+mod timing;
 mod trials;
 mod unused;
 mod watch;

@@ -120,7 +120,7 @@ pub enum SensorClause {
     Beam(Quantity),
 }
 
-/// `logical front = min(sonar[21, 22, 23])`
+/// `logical front = min(sonar[21, 22, 23]) within 1 cm`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Logical {
     /// Its doc comment.
@@ -129,6 +129,8 @@ pub struct Logical {
     pub name: Name,
     /// How it follows from sensors.
     pub value: Expr,
+    /// `within 1 cm` or `within 200 ms`: how exact its readings are to be, or how long they may take.
+    pub within: Option<Quantity>,
     /// The whole declaration.
     pub span: Span,
 }

@@ -276,7 +276,7 @@ fn words(rule: Rule) -> &'static str {
         Rule::expect_always | Rule::claim_always => "`always`",
         Rule::expect_condition | Rule::claim_leads => "a condition",
         Rule::before => "`before`",
-        Rule::within | Rule::time_limit => "`within`",
+        Rule::within | Rule::time_limit | Rule::request => "`within`",
         Rule::property | Rule::property_head => "`property`",
         Rule::EOI => "the end",
         // Marks, keywords and silent rules.

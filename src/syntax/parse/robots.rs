@@ -112,7 +112,14 @@ impl Tree<'_> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let name = self.next_name(&mut parts)?;
-        Some(Logical { doc: self.doc(span), name, value: self.expression(parts.take(Rule::expression)?)?, span })
+        let value = self.expression(parts.take(Rule::expression)?)?;
+        Some(Logical {
+            doc: self.doc(span),
+            name,
+            value,
+            within: self.optional_quantity(&mut parts, Rule::request)?,
+            span,
+        })
     }
 
     fn action(&mut self, pair: Pair<'_>) -> Option<Action> {

@@ -22,8 +22,12 @@ pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
     }
     for id in &robot.logical {
         let Sensor { symbol, group, .. } = &program.sensors[*id];
-        let Some(Group { how, of }) = group else { continue };
-        let of: Vec<_> = of.iter().map(|id| program.sensors[*id].symbol.name.as_str()).collect();
+        let Some(Group { how, of, readings }) = group else { continue };
+        let of = of.iter().zip(readings).map(|(id, count)| {
+            let name = &program.sensors[*id].symbol.name;
+            if *count > 1 { format!("mean of {count} {name}") } else { name.clone() }
+        });
+        let of: Vec<_> = of.collect();
         let how = format!("{how:?}").to_lowercase();
         lines.add(1, format_args!("logical {} = {how} of {}", symbol.name, of.join(", ")));
     }

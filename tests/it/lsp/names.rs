@@ -191,6 +191,26 @@ fn hovers_tell_what_there_is_to_know() {
 }
 
 #[test]
+fn hovers_tell_of_time_and_accuracy() {
+    let mut client = desk();
+    let robot = "robot scout {
+            body differential_drive { mass 20 kg  size (0.5 m, 0.4 m)  track 0.35 m  traction 0.6 }
+            sensor sonar[8]: m in 15 cm .. 5 m  fails 5 m  = ring.range  accuracy 2.5 cm  period 60 ms  beam 45 deg
+            logical front = min(sonar[7, 0]) within 1 cm
+            action drive(speed: m/s) = body.velocity(speed, 0 deg/s)
+        }
+        behavior creep on scout {
+            entry go
+            mode go { drive(0.3 m/s)  1: front < 1 m -> back }
+            final mode back { drive(-0.1 m/s) }
+        }";
+    client.open("scout.msd", robot);
+    insta::assert_snapshot!("hover_mean", hover(&mut client, "scout.msd", "1: ", "front"));
+    insta::assert_snapshot!("hover_reaction", hover(&mut client, "scout.msd", "entry ", "go"));
+    assert!(client.leave());
+}
+
+#[test]
 fn what_is_asked_of_a_file_that_is_not_open_has_no_answer() {
     let mut client = desk();
     let place = json!({ "textDocument": { "uri": uri("other.msd") }, "position": { "line": 9, "character": 9 } });
