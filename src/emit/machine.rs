@@ -57,13 +57,18 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         let name = wiring.reading(node)?;
         let of = wiring.graph.operands(node).into_iter().filter_map(|member| wiring.reading(member).cloned());
         let Step::Group { how, .. } = wiring.graph.code.steps[node] else { return None };
-        let function = match how {
-            Grouping::Minimum => quote! { smallest_reading },
-            Grouping::Maximum => quote! { largest_reading },
-            Grouping::Mean => quote! { mean_reading },
-            Grouping::Median => quote! { median_reading },
+        let readings = quote! { &[#(self.#of()),*] };
+        let value = match how {
+            Grouping::Minimum => quote! { kernel::smallest_reading(#readings) },
+            Grouping::Maximum => quote! { kernel::largest_reading(#readings) },
+            Grouping::Mean => quote! { kernel::mean_reading(#readings) },
+            Grouping::Median => quote! { kernel::median_reading(#readings) },
+            Grouping::Widest { beyond, first, spacing } => {
+                let [beyond, first, spacing] = [beyond, first, spacing].map(|number| emission.number(number));
+                quote! { kernel::widest_opening(#readings, #beyond, #first, #spacing) }
+            }
         };
-        Some(quote! { #[inline] fn #name(&self) -> #float { kernel::#function(&[#(self.#of()),*]) } })
+        Some(quote! { #[inline] fn #name(&self) -> #float { #value } })
     });
     let weighed = wiring.senses.iter().filter_map(|sense| {
         let (name, network) = (sense.method.as_ref()?, &sense.network.module);

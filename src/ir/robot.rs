@@ -145,6 +145,15 @@ pub enum Grouping {
     Mean,
     /// The one in the middle, or halfway between the two in the middle.
     Median,
+    /// Of neighboring beams of a ring, the bearing of the widest opening.
+    Widest {
+        /// The reading from which a beam is open, m.
+        beyond: Exact,
+        /// The bearing of the first beam, rad above -π up to π.
+        first: Exact,
+        /// Between two beams, rad.
+        spacing: Exact,
+    },
 }
 
 /// The places where a body can be measured.

@@ -156,7 +156,7 @@ impl<'a> Builder<'a> {
     pub(super) fn group(&mut self, how: ir::Grouping, inputs: &[u32]) -> Real {
         let of: Vec<_> = inputs.iter().map(|&input| self.read(input)).collect();
         let key = Key::Group(how, of.clone());
-        self.real(key, |code, to| Step::Group { how, of: list(&mut code.real_lists, &of), to })
+        self.real(key, |code, to| Step::Group { how: how.into(), of: list(&mut code.real_lists, &of), to })
     }
 
     /// What a sensor reads.

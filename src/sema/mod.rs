@@ -15,6 +15,7 @@ mod groups;
 mod inference;
 mod linear;
 mod modes;
+mod openings;
 mod outputs;
 mod properties;
 mod quantities;
