@@ -4,6 +4,7 @@
 //! Crates: –
 
 mod arbiters;
+mod bodies;
 mod conditions;
 mod crisp;
 mod decisions;
