@@ -31,6 +31,19 @@ fn check(text: &str) -> Analysis {
 
 const MANIPULATION: &str = include_str!("../examples/j5/manipulation.msd");
 
+/// A car among the obstacles of an example.
+fn minute_of_the_car() -> String {
+    let imports = "import std.behaviors.fuzzy_navigation\nimport std.robots.car\n";
+    let worlds = include_str!("../examples/car/worlds.msd");
+    let scenario = "scenario minute runs fuzzy_navigation on car in many_obstacles_center {
+        duration 1 min
+        tick 100 ms
+        place robot at (50 m, 10 m) heading 90 deg
+        expect never front_bumper or back_bumper
+    }";
+    [imports, worlds, scenario].concat()
+}
+
 #[divan::bench(args = [100, 1_000, 10_000, 100_000], max_time = 3)]
 fn parse_lines(bencher: Bencher, lines: usize) {
     let text = behavior(lines);
@@ -102,6 +115,25 @@ fn simulate_ten_seconds(bencher: Bencher) {
     let scenario = &analysis.program.scenarios[Id::new(0)];
     let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
     bencher.bench(|| sim::run(&analysis.program, &plan, scenario, &RunOptions::default()).unwrap());
+}
+
+/// A minute of the car among obstacles: 600 ticks with 36 beams, the fuzzy navigator, trace and expectations.
+#[divan::bench]
+fn simulate_a_minute_of_the_car(bencher: Bencher) {
+    let analysis = check(&minute_of_the_car());
+    let scenario = &analysis.program.scenarios[Id::new(0)];
+    let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
+    bencher.bench(|| sim::run(&analysis.program, &plan, scenario, &RunOptions::default()).unwrap());
+}
+
+#[divan::bench]
+fn tick_of_the_fuzzy_navigator(bencher: Bencher) {
+    let analysis = check(&minute_of_the_car());
+    let plan = plan::build_scenario(analysis.checked().unwrap(), &analysis.program.scenarios[Id::new(0)]);
+    let mut machine = Machine::new(&plan, 1);
+    let readings: Vec<_> = plan.inputs.iter().map(|_| Reading { value: 6.0, healthy: true }).collect();
+    bencher
+        .bench_local(|| machine.step(Inputs { readings: black_box(&readings), done: false }, 100_000_000, &mut Deaf));
 }
 
 #[divan::bench]

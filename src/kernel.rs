@@ -212,6 +212,45 @@ fn ranked(readings: &[f64], rank: usize) -> f64 {
     readings.iter().copied().find(is_ranked).unwrap_or(0.0)
 }
 
+/// The bearing of the middle of the widest opening among neighboring beams, rad from -π to π: the most of them in a row
+/// that each read `beyond` or more, or as much as any does. Of two that are as wide it is the one nearer to straight
+/// ahead, which is at 0. The first beam is at `first` (rad, from -π to π), each other `spacing` (rad) to the left of the
+/// one before; a whole ring has no ends, and where all of it is open nothing is as good as straight ahead.
+#[inline]
+pub fn widest_opening(readings: &[f64], beyond: f64, first: f64, spacing: f64) -> f64 {
+    let open = minimum(beyond, largest_reading(readings));
+    let of = readings.len() as f64;
+    let is_ring = spacing * (of + 0.5) > core::f64::consts::TAU;
+    let (rounds, mut place) = if is_ring { (2, -of) } else { (1, 0.0) };
+    let (mut run, mut widest, mut bearing) = (0.0, 0.0, 0.0);
+    for _ in 0..rounds {
+        for reading in readings {
+            run = if *reading >= open { minimum(run + 1.0, of) } else { 0.0 };
+            let middle = within_half_a_turn(first + spacing * (place - (run - 1.0) / 2.0));
+            let middle = if is_ring && run >= of { 0.0 } else { middle };
+            let nearer = maximum(bearing, -bearing) - maximum(middle, -middle);
+            // Rounding makes no bearing nearer.
+            if run > widest || run >= widest && nearer > spacing / 8.0 {
+                (widest, bearing) = (run, middle);
+            }
+            place += 1.0;
+        }
+    }
+    bearing
+}
+
+/// An angle of less than one and a half turns as the same one from -π to π, rad.
+#[inline]
+fn within_half_a_turn(angle: f64) -> f64 {
+    if angle > core::f64::consts::PI {
+        angle - core::f64::consts::TAU
+    } else if angle < -core::f64::consts::PI {
+        angle + core::f64::consts::TAU
+    } else {
+        angle
+    }
+}
+
 /// The t-norm `product`.
 #[inline]
 pub fn product(a: f64, b: f64) -> f64 {

@@ -1,6 +1,6 @@
 //! The command line: arguments, files, the terminal, exit codes. One subcommand a file.
 //!
-//! Imports: analysis, base, diag, driver, emit, interp, ir, lsp, plan, repl, report, sim, view
+//! Imports: analysis, base, diag, driver, emit, interp, ir, lsp, plan, repl, report, sim, trace, view
 //! Crates: clap, clap_complete, clap_mangen, indicatif, rayon, reedline, serde, similar, terminal_size, toml
 #![expect(clippy::disallowed_methods, reason = "this room is the one that touches the world")]
 

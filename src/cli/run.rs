@@ -45,8 +45,8 @@ pub(super) struct Run {
 }
 
 /// How to report a run.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
     /// A timeline, for people
     Human,
     /// One JSON object

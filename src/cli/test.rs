@@ -1,14 +1,16 @@
 //! `lmslc test`
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use rayon::prelude::*;
 
 use super::files::Disk;
-use super::run::{Format, WRITE_ONE, outcome, scenarios};
+use super::run::{WRITE_ONE, outcome, scenarios};
 use super::terminal::{Terminal, exit_code, listed};
 use super::watch;
 use crate::ir::Scenario;
-use crate::sim::{self, RunOptions};
+use crate::plan::Checked;
+use crate::sim::{self, RunError, RunOptions};
+use crate::trace::Measures;
 use crate::{plan, report};
 
 /// Run every scenario and report each expectation.
@@ -17,7 +19,8 @@ use crate::{plan, report};
 Examples:
   lmslc test examples
   lmslc test examples --filter mass --format json
-  lmslc test examples/j5/manipulation.msd --coverage")]
+  lmslc test examples/j5/manipulation.msd --coverage
+  lmslc test examples/car --seeds 50 --format markdown")]
 pub(super) struct Test {
     /// Files, folders, or `-` for standard input
     #[arg(required = true)]
@@ -25,6 +28,9 @@ pub(super) struct Test {
     /// Run only scenarios whose name contains this
     #[arg(long, value_name = "TEXT", default_value = "")]
     filter: String,
+    /// How often to run each, every time with the next seed
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    seeds: u16,
     /// Also list the modes, transitions and rules that no scenario went through
     #[arg(long)]
     coverage: bool,
@@ -34,6 +40,27 @@ pub(super) struct Test {
     /// How to report
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     format: Format,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// A line for each scenario, and the timelines of those that failed
+    Human,
+    /// One JSON object for each run
+    Json,
+    /// A table of what the ways are measured by
+    Markdown,
+}
+
+/// A run and what is kept of it.
+struct Tried {
+    passed: bool,
+    /// For a table.
+    measures: Option<Measures>,
+    /// What is said of it by itself.
+    text: String,
+    /// All of it, for what was covered.
+    run: Option<sim::Run>,
 }
 
 impl Test {
@@ -60,62 +87,95 @@ impl Test {
             let message = format!("no scenario has `{}` in its name", self.filter);
             return Err(terminal.fail(&message, Some(&format!("there are: {}", listed(all)))));
         }
-        let progress = terminal.progress(chosen.len(), "scenarios run");
-        let run = |scenario: &&Scenario| {
-            let plan = plan::build_scenario(checked, scenario);
-            let run = sim::run(&analysis.program, &plan, scenario, &RunOptions::default());
+        let seeds = usize::from(self.seeds);
+        let jobs = chosen.iter().flat_map(|scenario| (0..self.seeds.into()).map(|further| (*scenario, further)));
+        let jobs: Vec<(&Scenario, u64)> = jobs.collect();
+        let progress = terminal.progress(jobs.len(), "scenarios run");
+        let tried = |&(scenario, further): &(&Scenario, u64)| {
+            let tried = self.attempt(checked, scenario, further, terminal);
             progress.advance();
-            run
+            tried
         };
-        let runs: Vec<_> = chosen.par_iter().map(run).collect();
+        let tried: Vec<_> = jobs.par_iter().map(tried).collect();
         drop(progress);
         let (mut passed, mut failed) = (0, 0);
-        for (scenario, run) in chosen.iter().zip(&runs) {
+        let mut rows = Vec::new();
+        for (scenario, tried) in chosen.iter().zip(tried.chunks(seeds)) {
             let path = analysis.sources.path(scenario.symbol.span.file);
-            match run {
-                Ok(run) => {
-                    let outcome = outcome(run);
-                    let met = outcome.passed();
-                    *if met { &mut passed } else { &mut failed } += 1;
-                    Terminal::print(&match self.format {
-                        Format::Json => report::run(&outcome),
-                        Format::Human if met => line("ok", path, scenario, outcome.expectations.len(), terminal),
-                        Format::Human => {
-                            let line = line("FAILED", path, scenario, outcome.expectations.len(), terminal);
-                            line + &report::timeline(&outcome, Terminal::width(), terminal.color_out)
-                        }
-                    });
+            if let Some(Err(error)) = tried.first() {
+                failed += 1;
+                terminal.fail(&format!("{path}: `{}` cannot be run: {error}", scenario.symbol.name), None);
+                continue;
+            }
+            let tried: Vec<_> = tried.iter().flatten().collect();
+            let met = tried.iter().filter(|tried| tried.passed).count();
+            *if met == seeds { &mut passed } else { &mut failed } += 1;
+            match self.format {
+                Format::Json => tried.iter().for_each(|tried| Terminal::print(&tried.text)),
+                Format::Human => {
+                    Terminal::print(&line((met, seeds), path, scenario, terminal));
+                    tried.iter().find(|tried| !tried.passed).iter().for_each(|tried| Terminal::print(&tried.text));
                 }
-                Err(error) => {
-                    failed += 1;
-                    terminal.fail(&format!("{path}: `{}` cannot be run: {error}", scenario.symbol.name), None);
-                }
+                Format::Markdown => rows.push(report::Measured {
+                    scenario: &scenario.symbol.name,
+                    behavior: &analysis.program.diagrams[scenario.diagram].symbol.name,
+                    runs: tried.iter().filter_map(|tried| Some((tried.passed, tried.measures?))).collect(),
+                }),
             }
         }
+        if matches!(self.format, Format::Markdown) {
+            Terminal::print(&report::measures_markdown(&rows));
+        }
         if self.coverage {
-            let runs =
-                chosen.iter().copied().zip(&runs).filter_map(|(scenario, run)| Some((scenario, run.as_ref().ok()?)));
+            let runs = jobs.iter().zip(&tried);
+            let runs = runs.filter_map(|((scenario, _), tried)| Some((*scenario, tried.as_ref().ok()?.run.as_ref()?)));
             let runs: Vec<_> = runs.collect();
             let coverage = sim::coverage(&analysis.program, &analysis.sources, &analysis.roots, &runs);
             Terminal::print(&match self.format {
-                Format::Human => report::coverage(&coverage, &analysis.sources, terminal.color_out),
+                Format::Human | Format::Markdown => report::coverage(&coverage, &analysis.sources, terminal.color_out),
                 Format::Json => report::coverage_json(&coverage, &analysis.sources),
             });
         }
         terminal.note(&format!("{passed} passed, {failed} failed"));
         Ok(if failed == 0 { super::CLEAN } else { super::FINDINGS })
     }
+
+    /// Runs a scenario with its seed, or one of those after it.
+    fn attempt(
+        &self,
+        checked: Checked<'_>,
+        scenario: &Scenario,
+        further: u64,
+        terminal: &Terminal,
+    ) -> Result<Tried, RunError> {
+        let plan = plan::build_scenario(checked, scenario);
+        let options = RunOptions { seed: Some(scenario.seed.wrapping_add(further)), ..RunOptions::default() };
+        let run = sim::run(checked.program(), &plan, scenario, &options)?;
+        let outcome = outcome(&run);
+        let passed = outcome.passed();
+        let text = match self.format {
+            Format::Json => report::run(&outcome),
+            Format::Human if !passed => report::timeline(&outcome, Terminal::width(), terminal.color_out),
+            Format::Human | Format::Markdown => String::new(),
+        };
+        let measures = matches!(self.format, Format::Markdown).then(|| run.trace.measures());
+        Ok(Tried { passed, measures, text, run: self.coverage.then_some(run) })
+    }
 }
 
-fn line(word: &str, path: &str, scenario: &Scenario, expectations: usize, terminal: &Terminal) -> String {
-    let (color, plain) = match (terminal.color_out, word) {
+/// What became of a scenario: in how many runs, of how many, everything was seen that was expected.
+fn line((met, of): (usize, usize), path: &str, scenario: &Scenario, terminal: &Terminal) -> String {
+    let word = if met == of { "ok" } else { "FAILED" };
+    let (color, plain) = match (terminal.color_out, met == of) {
         (false, _) => ("", ""),
-        (true, "ok") => ("\x1b[32m", "\x1b[0m"),
-        (true, _) => ("\x1b[1;31m", "\x1b[0m"),
+        (true, true) => ("\x1b[32m", "\x1b[0m"),
+        (true, false) => ("\x1b[1;31m", "\x1b[0m"),
     };
     let name = &scenario.symbol.name;
-    format!(
-        "{color}{word:6}{plain} {path}: {name} ({expectations} expectation{})\n",
-        if expectations == 1 { "" } else { "s" }
-    )
+    let expectations = match scenario.expectations.len() {
+        1 => "1 expectation".to_owned(),
+        count => format!("{count} expectations"),
+    };
+    let seeds = if of == 1 { String::new() } else { format!(", {met} of {of} seeds") };
+    format!("{color}{word:6}{plain} {path}: {name} ({expectations}{seeds})\n")
 }

@@ -203,8 +203,8 @@ impl<'w> Block<'w> {
         let sensor = |input: u32| &wiring.sensors[input as usize];
         Expression::whole(match &wiring.graph.code.steps[node] {
             Step::Group { how, .. } if wiring.is_averaged(node) => {
-                let (function, of) = (super::machine::grouping(*how), operands.iter().map(Expression::tokens));
-                quote! { kernel::#function(&[#(#of),*]) }
+                let of = operands.iter().map(Expression::tokens);
+                super::machine::grouped(emission, *how, &quote! { #(#of),* })
             }
             Step::Read { .. } | Step::Group { .. } => {
                 let name = wiring.reading(node);

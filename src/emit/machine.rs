@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::network;
 use super::wiring::{Says, Wiring};
@@ -54,8 +54,8 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         let name = wiring.reading(node)?;
         let of = wiring.graph.operands(node).into_iter().filter_map(|member| wiring.reading(member).cloned());
         let Step::Group { how, .. } = wiring.graph.code.steps[node] else { return None };
-        let function = grouping(how);
-        Some(quote! { #[inline] fn #name(&self) -> #float { kernel::#function(&[#(self.#of()),*]) } })
+        let value = grouped(emission, how, &quote! { #(self.#of()),* });
+        Some(quote! { #[inline] fn #name(&self) -> #float { #value } })
     });
     let weighed = wiring.senses.iter().filter_map(|sense| {
         let (name, network) = (sense.method.as_ref()?, &sense.network.module);
@@ -126,17 +126,19 @@ fn inputs(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
     }
 }
 
-/// The kernel's function that makes one reading of several.
-pub(super) fn grouping(how: Grouping) -> Ident {
-    format_ident!(
-        "{}",
-        match how {
-            Grouping::Minimum => "smallest_reading",
-            Grouping::Maximum => "largest_reading",
-            Grouping::Mean => "mean_reading",
-            Grouping::Median => "median_reading",
+/// One reading of several.
+pub(super) fn grouped(emission: Emission<'_>, how: Grouping, readings: &TokenStream) -> TokenStream {
+    let readings = quote! { &[#readings] };
+    match how {
+        Grouping::Minimum => quote! { kernel::smallest_reading(#readings) },
+        Grouping::Maximum => quote! { kernel::largest_reading(#readings) },
+        Grouping::Mean => quote! { kernel::mean_reading(#readings) },
+        Grouping::Median => quote! { kernel::median_reading(#readings) },
+        Grouping::Widest { beyond, first, spacing } => {
+            let [beyond, first, spacing] = [beyond, first, spacing].map(|number| emission.number(number));
+            quote! { kernel::widest_opening(#readings, #beyond, #first, #spacing) }
         }
-    )
+    }
 }
 
 fn robot(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {

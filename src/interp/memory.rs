@@ -287,11 +287,12 @@ impl<const ROWS: usize> Memory<ROWS> {
 
     /// One reading from several, in every row.
     fn group(&mut self, how: Grouping, list: &[Real], to: Real) {
-        let group = match how {
-            Grouping::Minimum => kernel::smallest_reading,
-            Grouping::Maximum => kernel::largest_reading,
-            Grouping::Mean => kernel::mean_reading,
-            Grouping::Median => kernel::median_reading,
+        let group = |readings: &[f64]| match how {
+            Grouping::Minimum => kernel::smallest_reading(readings),
+            Grouping::Maximum => kernel::largest_reading(readings),
+            Grouping::Mean => kernel::mean_reading(readings),
+            Grouping::Median => kernel::median_reading(readings),
+            Grouping::Widest { beyond, first, spacing } => kernel::widest_opening(readings, beyond, first, spacing),
         };
         let mut readings = std::mem::take(&mut self.strengths);
         for row in 0..ROWS {

@@ -21,8 +21,8 @@ pub use output::{
     Output, OutputRule, Rest, S_NORMS, SNorm, Statement, T_NORMS, TNorm,
 };
 pub use robot::{
-    Action, Body, BodyArgument, BodyCommand, BodyCommandKind, DifferentialDrive, Drive, Group, Grouping, Interface,
-    Parameter, Robot, Sensor, SensorSource,
+    Action, Body, BodyArgument, BodyCommand, BodyCommandKind, CarLike, DifferentialDrive, Drive, Group, Grouping,
+    Interface, Parameter, Robot, Sensor, SensorSource,
 };
 pub use trial::{
     BoxBody, Claim, Expectation, ExpectationKind, Fault, FaultReading, Placement, Property, Response, Scenario, Wall,

@@ -71,6 +71,26 @@ impl Robot {
 pub enum Body {
     /// Two driven wheels on one axle.
     DifferentialDrive(DifferentialDrive),
+    /// Driven wheels and steered ones.
+    CarLike(CarLike),
+}
+
+impl Body {
+    /// kg, above 0.
+    pub const fn mass(&self) -> f64 {
+        match self {
+            Self::DifferentialDrive(body) => body.mass,
+            Self::CarLike(body) => body.mass,
+        }
+    }
+
+    /// m along its heading and across it, above 0.
+    pub const fn size(&self) -> [f64; 2] {
+        match self {
+            Self::DifferentialDrive(body) => [body.length, body.width],
+            Self::CarLike(body) => [body.length, body.width],
+        }
+    }
 }
 
 /// The parameters of a differential-drive body, in SI.
@@ -94,6 +114,23 @@ pub struct DifferentialDrive {
     pub impact_time: f64,
     /// m/s², standard deviation of each wheel's acceleration from imperfect tracking, at least 0.
     pub tracking_noise: f64,
+}
+
+/// The parameters of a car-like body (Khatoon and Ibraheem 2012, section 2.2), in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CarLike {
+    /// kg, above 0.
+    pub mass: f64,
+    /// m along its heading, above 0.
+    pub length: f64,
+    /// m across its heading, above 0.
+    pub width: f64,
+    /// s in which it turns by the angle it steers by, above 0.
+    pub cycle: f64,
+    /// m/s, the fastest it drives either way, above 0.
+    pub speed_limit: f64,
+    /// rad, the farthest it steers to either side, above 0.
+    pub steering_limit: f64,
 }
 
 /// A sensor of a robot or an interface, or a logical one, which follows from others.
@@ -147,6 +184,15 @@ pub enum Grouping {
     Mean,
     /// The one in the middle, or halfway between the two in the middle.
     Median,
+    /// Of neighboring beams of a ring, the bearing of the widest opening.
+    Widest {
+        /// The reading from which a beam is open, m.
+        beyond: Exact,
+        /// The bearing of the first beam, rad above -π up to π.
+        first: Exact,
+        /// Between two beams, rad.
+        spacing: Exact,
+    },
 }
 
 /// The places where a body can be measured.
@@ -250,6 +296,8 @@ pub enum BodyCommandKind {
     /// `body.travel(distance m, speed m/s)`, backward for a negative speed; reports completion, but goes on and on for a
     /// distance of 0
     Travel,
+    /// `body.steer(speed m/s, angle rad)`, to the left for a positive angle
+    Steer,
 }
 
 /// An argument of a body's command.

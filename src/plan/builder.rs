@@ -169,10 +169,14 @@ impl<'a> Builder<'a> {
 
     /// One reading from several.
     pub(super) fn group(&mut self, how: ir::Grouping, of: &[Real]) -> Real {
-        if let &[single] = of {
+        if let (&[single], false) = (of, matches!(how, ir::Grouping::Widest { .. })) {
             return single;
         }
-        self.real(Key::Group(how, of.to_vec()), |code, to| Step::Group { how, of: list(&mut code.real_lists, of), to })
+        self.real(Key::Group(how, of.to_vec()), |code, to| Step::Group {
+            how: how.into(),
+            of: list(&mut code.real_lists, of),
+            to,
+        })
     }
 
     /// What a sensor reads.

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::json::{SCHEMA, to_line};
+use super::measures::InJson;
 use crate::trace::{Trace, seconds};
 
 /// A run and what became of what was expected of it.
@@ -37,9 +38,11 @@ impl Outcome<'_> {
 struct Run<'a> {
     schema: u32,
     scenario: &'a str,
+    seed: u64,
     modes: Vec<Entered<'a>>,
     flags: Vec<Changed<'a>>,
     expectations: Vec<Verdict<'a>>,
+    measures: InJson,
 }
 
 #[derive(Serialize)]
@@ -57,15 +60,17 @@ struct Changed<'a> {
 
 /// Renders a run as one JSON object on one line. Times `t` are in seconds; a flag has an entry whenever its value
 /// changes, beginning from false; `seen` is there where an expectation was not met. Costs a pass over the flags of
-/// all ticks.
+/// all ticks, and what [`Trace::measures`] does.
 pub fn run(outcome: &Outcome<'_>) -> String {
     let trace = outcome.trace;
     to_line(&Run {
         schema: SCHEMA,
         scenario: &trace.scenario,
+        seed: trace.seed,
         modes: trace.entered().into_iter().map(|(change, mode)| Entered { t: seconds(change.time), mode }).collect(),
         flags: flag_changes(trace),
         expectations: outcome.expectations.iter().map(told).collect(),
+        measures: trace.measures().into(),
     })
 }
 
@@ -101,7 +106,7 @@ mod tests {
     fn a_run_is_one_object_on_one_line() {
         let trace = samples::trace();
         let expectations = samples::verdicts();
-        insta::assert_snapshot!(run(&Outcome { trace: &trace, expectations }), @r#"{"schema":1,"scenario":"two_obstacles","modes":[{"t":0.0,"mode":"init"},{"t":2.0,"mode":"forward"},{"t":5.0,"mode":"push"},{"t":8.0,"mode":"stop"},{"t":9.5,"mode":"back_up"}],"flags":[{"t":5.0,"flag":"forward_collision","set":true},{"t":5.5,"flag":"forward_collision","set":false},{"t":8.0,"flag":"forward_collision","set":true},{"t":8.0,"flag":"heavy_obstacle","set":true},{"t":8.25,"flag":"forward_collision","set":false}],"expectations":[{"text":"modes init -> forward -> push -> stop -> back_up","passed":true},{"text":"never heavy_obstacle within 0 s .. 9 s","passed":false,"seen":"heavy_obstacle set at 8 s, in mode stop: contributor 1.00 > detractor 0.00"}]}"#);
+        insta::assert_snapshot!(run(&Outcome { trace: &trace, expectations }), @r#"{"schema":1,"scenario":"two_obstacles","seed":1,"modes":[{"t":0.0,"mode":"init"},{"t":2.0,"mode":"forward"},{"t":5.0,"mode":"push"},{"t":8.0,"mode":"stop"},{"t":9.5,"mode":"back_up"}],"flags":[{"t":5.0,"flag":"forward_collision","set":true},{"t":5.5,"flag":"forward_collision","set":false},{"t":8.0,"flag":"forward_collision","set":true},{"t":8.0,"flag":"heavy_obstacle","set":true},{"t":8.25,"flag":"forward_collision","set":false}],"expectations":[{"text":"modes init -> forward -> push -> stop -> back_up","passed":true},{"text":"never heavy_obstacle within 0 s .. 9 s","passed":false,"seen":"heavy_obstacle set at 8 s, in mode stop: contributor 1.00 > detractor 0.00"}],"measures":{"reached":null,"path_length":0.0,"clearance":null,"smoothness":0.0,"time":0.0}}"#);
     }
 
     #[test]
@@ -123,6 +128,6 @@ mod tests {
     fn nothing_happened_is_an_object_too() {
         let trace = Trace::default();
         let text = run(&Outcome { trace: &trace, expectations: Vec::new() });
-        assert_eq!(text, "{\"schema\":1,\"scenario\":\"\",\"modes\":[],\"flags\":[],\"expectations\":[]}\n");
+        insta::assert_snapshot!(text, @r#"{"schema":1,"scenario":"","seed":0,"modes":[],"flags":[],"expectations":[],"measures":{"reached":null,"path_length":0.0,"clearance":null,"smoothness":0.0,"time":0.0}}"#);
     }
 }

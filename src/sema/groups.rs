@@ -1,5 +1,6 @@
 //! Logical sensors, which follow from several (Sobh §3.2).
 
+use super::openings::WIDEST;
 use super::quantities::{mismatch, too_long};
 use super::robots::{join, unknown_path};
 use super::sensors::plain;
@@ -8,7 +9,7 @@ use crate::base::{Exact, Id};
 use crate::ir::{self, Grouping};
 use crate::syntax::ast;
 
-/// How readings are grouped, by the name of the function, and whether that is for contacts.
+/// How readings are grouped otherwise, by the name of the function, and whether that is for contacts.
 const GROUPINGS: &[(&str, Grouping, bool)] = &[
     ("min", Grouping::Minimum, false),
     ("max", Grouping::Maximum, false),
@@ -49,41 +50,16 @@ impl Lower<'_> {
             return None;
         };
         let name = join(&call.path);
+        if name == WIDEST {
+            return self.widest(tree, call, sensors, groups);
+        }
         let Some(&(_, how, of_contacts)) = GROUPINGS.iter().find(|(known, ..)| *known == name) else {
-            let known = GROUPINGS.iter().map(|(known, ..)| *known);
+            let known = GROUPINGS.iter().map(|(known, ..)| *known).chain([WIDEST]);
             self.report(unknown_path(&call.path, &name, "sensors are not grouped by", known));
             return None;
         };
-        let mut of: Vec<Id<ir::Sensor>> = Vec::new();
-        let mut sound = true;
-        for argument in &call.arguments {
-            if let Some(name) = &argument.name {
-                self.report(invalid(name.span, "sensors have no names in a group").help("leave the name out"));
-                sound = false;
-            }
-            match self.member(&argument.value, sensors, groups) {
-                Some(meant) => {
-                    for id in meant {
-                        if of.contains(&id) {
-                            let sensor = &self.program.sensors[id].symbol.name;
-                            let message = format!("`{sensor}` is in this group twice");
-                            self.report(invalid(argument.value.span, message));
-                            sound = false;
-                        } else {
-                            of.push(id);
-                        }
-                    }
-                }
-                None => sound = false,
-            }
-        }
-        let Some(&first) = of.first().filter(|_| sound) else {
-            if sound {
-                self.report(missing_part(call.span, "this group is empty").help("name the sensors it is of"));
-            }
-            return None;
-        };
-        let first = self.program.sensors[first].clone();
+        let of = self.members_of(call, call.arguments.iter(), sensors, groups)?;
+        let first = self.program.sensors[*of.first()?].clone();
         for &id in &of {
             let sensor = &self.program.sensors[id];
             let diagnostic = match (of_contacts, sensor.is_contact) {
@@ -138,6 +114,44 @@ impl Lower<'_> {
         self.measuring(tree, sensors)
     }
 
+    /// The sensors that arguments of a group name, each once; `None` where there are none, or something is wrong.
+    pub(super) fn members_of<'t>(
+        &mut self,
+        call: &ast::Call,
+        arguments: impl Iterator<Item = &'t ast::Argument>,
+        sensors: &[Id<ir::Sensor>],
+        groups: &[&str],
+    ) -> Option<Vec<Id<ir::Sensor>>> {
+        let mut of: Vec<Id<ir::Sensor>> = Vec::new();
+        let mut sound = true;
+        for argument in arguments {
+            if let Some(name) = &argument.name {
+                self.report(invalid(name.span, "sensors have no names in a group").help("leave the name out"));
+                sound = false;
+                continue;
+            }
+            match self.member(&argument.value, sensors, groups) {
+                Some(meant) => {
+                    for id in meant {
+                        if of.contains(&id) {
+                            let sensor = &self.program.sensors[id].symbol.name;
+                            let message = format!("`{sensor}` is in this group twice");
+                            self.report(invalid(argument.value.span, message));
+                            sound = false;
+                        } else {
+                            of.push(id);
+                        }
+                    }
+                }
+                None => sound = false,
+            }
+        }
+        if sound && of.is_empty() {
+            self.report(missing_part(call.span, "this group is empty").help("name the sensors it is of"));
+        }
+        Some(of).filter(|of| sound && !of.is_empty())
+    }
+
     /// How a group reads when all of its sensors have failed, each in its first way, its second and so on, and where it is
     /// stuck because one of them has.
     fn group_fails(&self, how: Grouping, of: &[Id<ir::Sensor>]) -> Vec<ir::FailReading> {
@@ -181,7 +195,7 @@ impl Lower<'_> {
     }
 }
 
-/// One reading from several; `None` where it cannot be kept exactly, or there are none.
+/// One reading from several; `None` where it cannot be kept exactly, there are none, or it is no reading like theirs.
 fn grouped(how: Grouping, mut readings: Vec<Exact>) -> Option<Exact> {
     let mean = |of: &[Exact]| {
         let sum = of.iter().try_fold(Exact::ZERO, |sum, &reading| sum.plus(reading))?;
@@ -200,5 +214,6 @@ fn grouped(how: Grouping, mut readings: Vec<Exact>) -> Option<Exact> {
                 readings.get(half..=half)?
             })
         }
+        Grouping::Widest { .. } => None,
     }
 }

@@ -4,6 +4,7 @@
 //! Crates: –
 
 mod arbiters;
+mod bodies;
 mod conditions;
 mod crisp;
 mod decisions;
@@ -16,6 +17,7 @@ mod inference;
 mod layers;
 mod linear;
 mod modes;
+mod openings;
 mod outputs;
 mod properties;
 mod quantities;

@@ -5,30 +5,19 @@ use std::collections::HashMap;
 use super::quantities::mismatch;
 use super::sensors::{declared_name, told};
 use super::{Lower, claim, counted, given, invalid, missing_part, named, symbol};
-use crate::base::{Dimension, Exact, Id, Span};
+use crate::base::{Dimension, Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir::{self, BodyCommandKind};
 use crate::syntax::ast;
 
-/// The commands of a differential-drive body with the dimensions of their arguments.
+/// The commands of bodies with the dimensions of their arguments.
 const COMMANDS: &[(&str, BodyCommandKind, &[Dimension])] = &[
     ("body.stop", BodyCommandKind::Stop, &[]),
     ("body.velocity", BodyCommandKind::Velocity, &[Dimension::SPEED, Dimension::TURN_RATE]),
     ("body.arc", BodyCommandKind::Arc, &[Dimension::SPEED, Dimension::LENGTH]),
     ("body.rotate", BodyCommandKind::Rotate, &[Dimension::ANGLE]),
     ("body.travel", BodyCommandKind::Travel, &[Dimension::LENGTH, Dimension::SPEED]),
-];
-
-/// The parameters of a differential-drive body: name, dimension, number of values, default.
-const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
-    ("mass", Dimension::MASS, 1, None),
-    ("size", Dimension::LENGTH, 2, None),
-    ("track", Dimension::LENGTH, 1, None),
-    ("traction", Dimension::NONE, 1, None),
-    ("lag", Dimension::TIME, 1, Some(0.15)),
-    ("acceleration_limit", Dimension::ACCELERATION, 1, Some(2.0)),
-    ("impact_time", Dimension::TIME, 1, Some(0.05)),
-    ("tracking_noise", Dimension::ACCELERATION, 1, Some(0.2)),
+    ("body.steer", BodyCommandKind::Steer, &[Dimension::SPEED, Dimension::ANGLE]),
 ];
 
 impl<'a> Lower<'a> {
@@ -55,6 +44,7 @@ impl<'a> Lower<'a> {
             (true, Some(_)) => Carrier::Drive,
         };
         let mut members = self.members(&tree.items, carrier);
+        self.check_body(&tree.items);
         let drive = tree.runs.as_ref().map(|runs| self.drive(runs, &mut members));
         // A body that is missing where an action needs it, or that is broken, is reported once.
         let needs_body = tree.items.iter().find_map(|item| match item {
@@ -357,71 +347,6 @@ impl<'a> Lower<'a> {
                 None
             }
         }
-    }
-
-    fn body(&mut self, tree: &ast::Body) -> Option<ir::Body> {
-        if tree.kind.text != "differential_drive" {
-            self.report(self.unknown(&tree.kind, "body", ["differential_drive"]));
-            return None;
-        }
-        let mut read: HashMap<&str, (Vec<f64>, Span)> = HashMap::new();
-        let mut sound = true;
-        for parameter in &tree.parameters {
-            let name = parameter.name.text.as_str();
-            let Some(&(_, dimension, count, _)) = PARAMETERS.iter().find(|(known, ..)| *known == name) else {
-                self.report(self.unknown(&parameter.name, "parameter of this body", PARAMETERS.iter().map(|p| p.0)));
-                sound = false;
-                continue;
-            };
-            if parameter.values.len() != count {
-                let message = format!("`{name}` takes {}, {}", counted(count, "value"), given(parameter.values.len()));
-                let help = if count == 2 { "write `size (length, width)`" } else { "write one value" };
-                let rule = &diag::rules::WRONG_ARGUMENTS;
-                self.report(Diagnostic::new(rule, parameter.span, message).help(help));
-                sound = false;
-                continue;
-            }
-            let values: Vec<_> = parameter
-                .values
-                .iter()
-                .map(|value| match name {
-                    "tracking_noise" => self.quantity_of(value, dimension, None).map(Exact::to_f64),
-                    _ => self.positive(value, dimension, &format!("`{name}`")),
-                })
-                .collect();
-            match values.into_iter().collect::<Option<Vec<_>>>() {
-                Some(values) => {
-                    if let Some((_, first)) = read.insert(name, (values, parameter.name.span)) {
-                        self.report(super::said_twice(parameter.name.span, first, &format!("`{name}`")));
-                    }
-                }
-                None => sound = false,
-            }
-        }
-        let missing: Vec<_> = PARAMETERS
-            .iter()
-            .filter(|(name, _, _, default)| default.is_none() && !read.contains_key(name))
-            .map(|(name, ..)| format!("`{name}`"))
-            .collect();
-        if sound && !missing.is_empty() {
-            self.report(missing_part(tree.kind.span, format!("the body lacks {}", missing.join(", "))));
-            return None;
-        }
-        let value = |name: &str, index: usize| {
-            let default = PARAMETERS.iter().find(|(known, ..)| *known == name).and_then(|parameter| parameter.3);
-            read.get(name).and_then(|(values, _)| values.get(index).copied()).or(default)
-        };
-        Some(ir::Body::DifferentialDrive(ir::DifferentialDrive {
-            mass: value("mass", 0)?,
-            length: value("size", 0)?,
-            width: value("size", 1)?,
-            track: value("track", 0)?,
-            traction: value("traction", 0)?,
-            lag: value("lag", 0)?,
-            acceleration_limit: value("acceleration_limit", 0)?,
-            impact_time: value("impact_time", 0)?,
-            tracking_noise: value("tracking_noise", 0)?,
-        }))
     }
 
     /// Reports what an interface promises and a robot does not keep.

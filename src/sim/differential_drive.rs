@@ -5,6 +5,7 @@
 //! μ g (M - m) / (M + m), which slows the body to a stop where the wheels slip. On meeting an additional mass dm the
 //! speed drops by v dm / (M + m), spread over the impact time.
 
+use super::body::Command;
 use super::random::{Purpose, Stream};
 use super::world::{Load, Moved, World};
 use crate::ir;
@@ -22,29 +23,6 @@ const TRAVEL_TOLERANCE: f64 = 0.002;
 const DISTURBANCE_TIME: f64 = 0.02;
 /// Speeds up to this are lost at once when the way is blocked, m/s; faster ones over the impact time.
 const CREEP: f64 = 0.02;
-
-/// What a differential-drive body is told to do.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Command {
-    /// Stand still.
-    Stop,
-    /// Drive.
-    Velocity {
-        /// m/s, forward.
-        speed: f64,
-        /// rad/s, to the left.
-        turn_rate: f64,
-    },
-    /// Turn in place by an angle in rad, to the left.
-    Rotate(f64),
-    /// Drive straight on.
-    Travel {
-        /// m, above 0, or 0 to go on and on.
-        distance: f64,
-        /// m/s, forward.
-        speed: f64,
-    },
-}
 
 /// A differential-drive body in motion. Wheels are left and right.
 #[derive(Debug, Clone)]
@@ -177,7 +155,8 @@ impl<'a> DifferentialDrive<'a> {
     /// Commanded speeds of the wheels, m/s.
     fn target(&self) -> [f64; 2] {
         let (speed, turn_rate) = match self.command {
-            Command::Stop => (0.0, 0.0),
+            // A body without steered wheels is never told to steer.
+            Command::Stop | Command::Steer { .. } => (0.0, 0.0),
             Command::Velocity { speed, turn_rate } => (speed, turn_rate),
             Command::Rotate(_) | Command::Travel { .. } if self.done => (0.0, 0.0),
             Command::Rotate(angle) => {
@@ -279,7 +258,7 @@ impl<'a> DifferentialDrive<'a> {
             Command::Travel { distance, speed } if distance != 0.0 => {
                 (distance, moved.drove * speed.signum(), mean(self.speeds), TRAVEL_TOLERANCE)
             }
-            Command::Stop | Command::Velocity { .. } | Command::Travel { .. } => return,
+            Command::Stop | Command::Velocity { .. } | Command::Travel { .. } | Command::Steer { .. } => return,
         };
         if !self.done {
             self.progress += step;

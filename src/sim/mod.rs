@@ -3,6 +3,8 @@
 //! Imports: base, diag, interp, ir, plan, trace
 //! Crates: nalgebra, rand_distr, rand_pcg, rstar
 
+mod body;
+mod car_like;
 mod coverage;
 mod differential_drive;
 mod drive;

@@ -123,7 +123,7 @@ fn ticks(scenario: &ir::Scenario) -> Result<u64, RunError> {
 /// The scenarios that cannot start: those whose robot has no body, or where things stand in one place.
 pub fn placements(program: &ir::Program) -> Vec<Diagnostic> {
     let start = |scenario: &ir::Scenario| match &program.robots[scenario.robot].body {
-        Some(ir::Body::DifferentialDrive(body)) => ticks(scenario).and_then(|_| build(body, scenario)).err(),
+        Some(body) => ticks(scenario).and_then(|_| build(body, scenario)).err(),
         None => Some(RunError::NoBody),
     };
     program.scenarios.values().filter_map(|scenario| Some(cannot_start(scenario, &start(scenario)?))).collect()
@@ -161,11 +161,9 @@ fn cannot_start(scenario: &ir::Scenario, error: &RunError) -> Diagnostic {
 }
 
 fn footprints(robot: &ir::Robot, scenario: &ir::Scenario) -> Vec<Footprint> {
-    let robot = robot.body.as_ref().map(|ir::Body::DifferentialDrive(body)| Footprint {
-        name: "robot".to_owned(),
-        mass: body.mass,
-        length: body.length,
-        width: body.width,
+    let robot = robot.body.as_ref().map(|body| {
+        let [length, width] = body.size();
+        Footprint { name: "robot".to_owned(), mass: body.mass(), length, width }
     });
     let boxes = scenario.boxes.iter().map(|one| Footprint {
         name: one.name.clone(),

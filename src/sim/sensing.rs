@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use super::differential_drive::DifferentialDrive;
+use super::body::Body;
 use super::random::{Purpose, Stream};
 use super::ring::Ring;
 use super::world::{End, World};
@@ -86,7 +86,7 @@ impl<'a> Sensing<'a> {
     }
 
     /// Reads all sensors at `time`, in nanoseconds. A sensor that the body does not provide counts as failed.
-    pub(super) fn read(&mut self, body: &DifferentialDrive<'_>, world: &World, time: u64) -> &mut [Reading] {
+    pub(super) fn read(&mut self, body: &Body<'_>, world: &World, time: u64) -> &mut [Reading] {
         for (gauge, reading) in self.sensors.iter_mut().zip(&mut self.readings) {
             let Gauge { sensor, range, accuracy, .. } = *gauge;
             if time >= gauge.due {
@@ -147,13 +147,9 @@ impl Sensing<'_> {
 /// What the beams of one ring have in common: how many there are, and how wide (rad) and far (m) they see.
 type Key = (u32, f64, f64);
 
-/// The true value at a place of the body, in SI; `None` where there is no goal. Ranges are measured a ring at a time.
-fn measure(
-    body: &DifferentialDrive<'_>,
-    world: &World,
-    goal: Option<Vector2<f64>>,
-    source: SensorSource,
-) -> Option<f64> {
+/// The true value at a place of the body, in SI; `None` where there is no goal, and of
+/// wheels that cannot be measured. Ranges are measured a ring at a time.
+fn measure(body: &Body<'_>, world: &World, goal: Option<Vector2<f64>>, source: SensorSource) -> Option<f64> {
     let truth = |is_so| f64::from(u8::from(is_so));
     let middle = world.robot().middle();
     let value = match source {
@@ -163,11 +159,11 @@ fn measure(
         | SensorSource::State
         | SensorSource::Command
         | SensorSource::Argument(_) => 0.0,
-        SensorSource::LeftWheelAcceleration => body.accelerations()[0],
-        SensorSource::RightWheelAcceleration => body.accelerations()[1],
-        SensorSource::LeftWheelSpeed => body.speeds()[0],
-        SensorSource::RightWheelSpeed => body.speeds()[1],
-        SensorSource::WedgeForce => body.wedge_force(),
+        SensorSource::LeftWheelAcceleration => body.wheels()?.accelerations()[0],
+        SensorSource::RightWheelAcceleration => body.wheels()?.accelerations()[1],
+        SensorSource::LeftWheelSpeed => body.wheels()?.speeds()[0],
+        SensorSource::RightWheelSpeed => body.wheels()?.speeds()[1],
+        SensorSource::WedgeForce => body.wheels()?.wedge_force(),
         SensorSource::FrontBumper => truth(world.is_touched(End::Front)),
         SensorSource::BackBumper => truth(world.is_touched(End::Back)),
         SensorSource::X => middle.x,

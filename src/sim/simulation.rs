@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use super::differential_drive::{Command, DifferentialDrive};
+use super::body::{Body, Command};
 use super::drive::argument_of;
 use super::geometry::Rectangle;
 use super::run::RunError;
@@ -37,11 +37,11 @@ impl<'a> Simulation<'a> {
         seed: u64,
     ) -> Result<Self, RunError> {
         let robot = &program.robots[scenario.robot];
-        let Some(ir::Body::DifferentialDrive(parameters)) = &robot.body else { return Err(RunError::NoBody) };
+        let parameters = robot.body.as_ref().ok_or(RunError::NoBody)?;
         let world = build(parameters, scenario)?;
         let sensing = Sensing::new(program, scenario, &world, faults, seed);
         let commands = robot.actions.iter().map(|&action| program.actions[action].command.as_ref()).collect();
-        let driver = Driver { commands, body: DifferentialDrive::new(parameters, seed), given: false };
+        let driver = Driver { commands, body: Body::new(parameters, seed), given: false };
         Ok(Self { world, sensing, driver })
     }
 
@@ -80,7 +80,7 @@ impl<'a> Simulation<'a> {
 pub(super) struct Driver<'a> {
     /// How the body keeps each action of the plan.
     commands: Vec<Option<&'a BodyCommand>>,
-    pub(super) body: DifferentialDrive<'a>,
+    pub(super) body: Body<'a>,
     /// Whether a command was given on this tick.
     pub(super) given: bool,
 }
@@ -105,6 +105,7 @@ impl Actuators for Driver<'_> {
                 let (distance, speed) = (argument(0), argument(1));
                 Command::Travel { distance: distance.abs(), speed: if distance < 0.0 { -speed } else { speed } }
             }
+            BodyCommandKind::Steer => Command::Steer { speed: argument(0), angle: argument(1) },
         };
         self.body.command(command, start);
         self.given = true;
@@ -112,12 +113,13 @@ impl Actuators for Driver<'_> {
 }
 
 /// The world at the start.
-pub(super) fn build(body: &ir::DifferentialDrive, scenario: &ir::Scenario) -> Result<World, RunError> {
+pub(super) fn build(body: &ir::Body, scenario: &ir::Scenario) -> Result<World, RunError> {
     let (x, y, heading) = match scenario.start {
         Placement::At { x, y, heading } => (x, y, heading),
         Placement::Ahead(_) => (0.0, 0.0, 0.0),
     };
-    let robot = Rectangle::new(Vector2::new(x, y), heading, body.length, body.width);
+    let [length, width] = body.size();
+    let robot = Rectangle::new(Vector2::new(x, y), heading, length, width);
     let pieces = |wall: &ir::Wall| -> Vec<[Vector2<f64>; 2]> {
         wall.corners.windows(2).map(|ends| [ends[0].into(), ends[1].into()]).collect()
     };
@@ -180,7 +182,7 @@ mod tests {
         ];
         let quarter = std::f64::consts::FRAC_PI_2;
         let start = Placement::At { x: 1.0, y: 2.0, heading: quarter };
-        let world = build(&J5, &ir::Scenario { start, boxes, ..scenario() }).unwrap();
+        let world = build(&ir::Body::DifferentialDrive(J5), &ir::Scenario { start, boxes, ..scenario() }).unwrap();
         // The front is at y = 2.5; boxes are 0.4 m long.
         let expected = [2.5 + 1.5 + 0.4 + 0.2, 2.5 + 0.75 + 0.2, 2.5 + 1.5 + 0.8 + 0.2];
         for (shape, y) in world.boxes().zip(expected) {

@@ -3,7 +3,7 @@
 use crate::analysis::modes::Stimulus;
 use crate::base::{Exact, Id, Unit};
 use crate::interp::Reading;
-use crate::ir::{Diagram, Program, Sensor};
+use crate::ir::{Diagram, Grouping, Program, Sensor};
 
 /// A reading as it is written, and what it is then.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,14 +71,19 @@ impl Cues {
     /// `None` where a number of a range cannot be written.
     pub(super) fn new(program: &Program, diagram: &Diagram, stimuli: &[Vec<Stimulus>]) -> Option<Self> {
         let sensors = program.measuring(diagram.platform);
-        // A logical sensor reads what all of its members read.
+        // A logical sensor reads what all of its members read, if it is a reading like theirs.
+        let is_opening = |sensor: Id<Sensor>| {
+            let group = program.sensors[sensor].group.as_ref();
+            group.is_some_and(|group| matches!(group.how, Grouping::Widest { .. }))
+        };
         let places = |sensor: Id<Sensor>| {
             let of = program.sensors[sensor].group.as_ref().map_or_else(|| vec![sensor], |group| group.of.clone());
             of.into_iter().filter_map(|sensor| sensors.iter().position(|own| *own == sensor)).collect::<Vec<_>>()
         };
         let unit = |sensor: Id<Sensor>| &program.sensors[sensor].unit;
         let cue = |stimulus: &Stimulus| {
-            let read = stimulus.readings.iter().filter(|(sensor, _)| !stimulus.failed.contains(sensor));
+            let told = |(sensor, _): &&(Id<Sensor>, Exact)| !stimulus.failed.contains(sensor) && !is_opening(*sensor);
+            let read = stimulus.readings.iter().filter(told);
             let number = |(sensor, at): &(Id<Sensor>, Exact)| {
                 let number = Number::exactly(*at, unit(*sensor))?;
                 Some(places(*sensor).into_iter().map(move |place| (place, number)))

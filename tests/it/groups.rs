@@ -4,7 +4,7 @@ use lmslc::base::Id;
 use lmslc::interp::{Actuators, Inputs, Machine, Reading};
 use lmslc::kernel::{
     largest_reading as largest, mean_reading as mean, median_reading as median, next_random,
-    smallest_reading as smallest,
+    smallest_reading as smallest, widest_opening,
 };
 use lmslc::plan::{self, Plan};
 
@@ -116,6 +116,65 @@ fn kernels_group_what_they_are_given() {
         let sum: f64 = readings.iter().sum();
         assert!((mean(&readings) - sum / count as f64).abs() < 1e-12, "{readings:?}");
     }
+}
+
+/// The widest opening beyond 5 m, in degrees, of a fan of beams 30 degrees apart, or of a ring of 12.
+fn opening(readings: &[f64], first: f64) -> f64 {
+    let bearing = widest_opening(readings, 5.0, first.to_radians(), 30.0_f64.to_radians());
+    (bearing.to_degrees() * 1e6).round() / 1e6
+}
+
+#[test]
+fn the_widest_opening_is_where_most_neighbors_are_open() {
+    let fan = |readings: [f64; 6]| opening(&readings, -75.0);
+    assert_eq!(fan([9.0, 9.0, 1.0, 9.0, 1.0, 1.0]), -60.0);
+    assert_eq!(fan([1.0, 9.0, 1.0, 5.0, 9.0, 4.9]), 30.0);
+    // As wide, the nearer to straight ahead; as near, the first.
+    assert_eq!(fan([9.0, 9.0, 1.0, 9.0, 9.0, 1.0]), 30.0);
+    assert_eq!(fan([9.0, 9.0, 1.0, 1.0, 9.0, 9.0]), -60.0);
+    // All of it, and where nothing is open what is farthest.
+    assert_eq!([fan([9.0; 6]), fan([2.0, 3.0, 2.0, 4.0, 1.0, 1.0])], [0.0, 15.0]);
+    // Around the back of a ring, whose ends are neighbors.
+    let mut ring = [9.0; 12];
+    assert_eq!(opening(&ring, 15.0), 0.0);
+    ring[10] = 1.0;
+    ring[1] = 1.0;
+    assert_eq!(opening(&ring, 15.0).abs(), 180.0);
+    ring[3] = 1.0;
+    ring[7] = 1.0;
+    assert_eq!(opening(&ring, 15.0), 165.0);
+    assert_eq!(opening(&[], 0.0), 0.0);
+}
+
+#[test]
+fn a_robot_knows_its_widest_opening_and_a_broken_beam_shuts_none() {
+    let text = "robot ring {
+            sensor range[12]: m in 0 .. 10 fails 10 = ring.range
+            logical gate = widest(range[9..11, 0..2], beyond: 5 m)
+            logical around = widest(range, beyond: 5 m)
+            action halt()
+        }
+        behavior b on ring {
+            entry go
+            mode go { halt()  1: gate > 10 deg or around > 10 deg -> away }
+            mode away { halt()  1: after 1 s -> go }
+        }";
+    let analysis = analyze_texts(&[("b.msd", text)]);
+    let checked = analysis.checked().unwrap_or_else(|| panic!("{}", report(&analysis)));
+    let plan = plan::build(checked, Id::new(0), Id::new(0), &[]);
+    let bearings = |values: [f64; 12], failed: &[usize]| -> Vec<f64> {
+        let mut machine = Machine::new(&plan, 1);
+        let reading = |(place, value): (usize, f64)| Reading { value, healthy: !failed.contains(&place) };
+        let readings: Vec<_> = values.into_iter().enumerate().map(reading).collect();
+        machine.step(Inputs { readings: &readings, done: false }, 0, &mut Log::default());
+        plan.logical.iter().map(|of| machine.real(of.value).to_degrees().round()).collect()
+    };
+    // Open at 15, 45 and 75 degrees ahead, and all around but for two.
+    let mut values = [9.0; 12];
+    (values[10], values[11]) = (1.0, 1.0);
+    assert_eq!(bearings(values, &[]), [45.0, 150.0]);
+    assert_eq!(bearings(values, &[11]), [30.0, 135.0], "a failed beam reads 10 m");
+    assert_eq!(bearings([9.0; 12], &[]), [0.0, 0.0]);
 }
 
 #[test]

@@ -69,7 +69,7 @@ fn of_action(
     vec![match command.kind {
         BodyCommandKind::Stop | BodyCommandKind::Rotate => still,
         BodyCommandKind::Arc => unknown,
-        BodyCommandKind::Velocity => match (argument(0), argument(1)) {
+        BodyCommandKind::Velocity | BodyCommandKind::Steer => match (argument(0), argument(1)) {
             (Some(speed), Some(0.0)) => Motion { speed, goes_on: true, ..still },
             _ => unknown,
         },

@@ -3,7 +3,11 @@
 //! Imports: base
 //! Crates: –
 
+mod measures;
+
 use std::fmt;
+
+pub use measures::Measures;
 
 use crate::base::Span;
 

@@ -1,0 +1,42 @@
+// Two obstacles (figs. 7.1 and 7.2): by the fuzzy navigator of Khatoon and Ibraheem
+// 2012, by the same as it is printed, and by a robot that seeks the open alone.
+
+import std.behaviors.fuzzy_navigation
+import std.behaviors.fuzzy_navigation_as_printed
+import std.behaviors.open_area_seeking
+import std.robots.car
+import worlds
+
+scenario two_obstacles_right_locally runs fuzzy_navigation on car in two_obstacles_right {
+    duration 4 min
+    tick 100 ms
+    place robot at (50 m, 10 m) heading 90 deg
+    expect arrived
+    expect never front_bumper or back_bumper
+}
+
+scenario two_obstacles_right_as_printed extends two_obstacles_right_locally runs fuzzy_navigation_as_printed {
+    expect arrived
+    expect never front_bumper or back_bumper
+}
+
+scenario two_obstacles_right_in_the_open extends two_obstacles_right_locally runs open_area_seeking {
+    expect never front_bumper or back_bumper
+}
+
+scenario two_obstacles_left_locally runs fuzzy_navigation on car in two_obstacles_left {
+    duration 4 min
+    tick 100 ms
+    place robot at (50 m, 10 m) heading 90 deg
+    expect arrived
+    expect never front_bumper or back_bumper
+}
+
+scenario two_obstacles_left_as_printed extends two_obstacles_left_locally runs fuzzy_navigation_as_printed {
+    expect arrived
+    expect never front_bumper or back_bumper
+}
+
+scenario two_obstacles_left_in_the_open extends two_obstacles_left_locally runs open_area_seeking {
+    expect never front_bumper or back_bumper
+}
