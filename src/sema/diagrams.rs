@@ -19,6 +19,27 @@ struct Parts<'a> {
     modes: Vec<&'a ast::Mode>,
 }
 
+impl Parts<'_> {
+    /// The simple names in its conditions.
+    fn names(&self) -> Vec<&str> {
+        let mut names = Vec::new();
+        self.flags.iter().for_each(|flag| collect_names(&flag.condition, &mut names));
+        for item in self.modes.iter().flat_map(|mode| &mode.items) {
+            match item {
+                ast::ModeItem::Transition(transition) => collect_names(&transition.condition, &mut names),
+                ast::ModeItem::Decide(table) => {
+                    table.subjects.iter().for_each(|subject| collect_names(subject, &mut names));
+                }
+                ast::ModeItem::Action(_)
+                | ast::ModeItem::OnEnter(..)
+                | ast::ModeItem::OnExit(..)
+                | ast::ModeItem::Error(_) => {}
+            }
+        }
+        names
+    }
+}
+
 /// Replaces what has the same name, and answers it, or adds.
 fn put<'a, T>(
     parts: &mut Vec<&'a T>,
@@ -65,9 +86,12 @@ impl<'a> Lower<'a> {
         };
         let (states, commands) = self.doings(platform);
         let mut scene = Scene { sensors, states, commands, interface, ..Scene::default() };
-        let senses = self.senses(&parts.senses, &mut scene);
+        let mut senses = self.senses(&parts.senses, &mut scene);
         self.broken_items(&chain, &mut scene);
-        let flags = self.flags(&parts.flags, &mut scene);
+        let mut contacts = Arena::default();
+        self.take_in(platform, &parts.names(), &mut senses, &mut contacts);
+        scene.flag_places.extend(contacts.values().map(|flag| flag.symbol.span));
+        let flags = self.flags(&parts.flags, contacts, &mut scene);
         let modes: HashMap<_, _> = parts
             .modes
             .iter()
@@ -160,7 +184,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    fn senses(&mut self, trees: &[&'a ast::Sense], scene: &mut Scene) -> Vec<ir::Sense> {
+    pub(super) fn senses(&mut self, trees: &[&ast::Sense], scene: &mut Scene) -> Vec<ir::Sense> {
         let mut senses = Vec::new();
         for tree in trees {
             let Some(network) = self.find_network(&tree.network) else {
@@ -272,8 +296,8 @@ impl<'a> Lower<'a> {
         if complete { placed.into_iter().collect() } else { None }
     }
 
-    /// Lowers flags so that each stands after those it uses, whatever their order in the text.
-    fn flags(&mut self, trees: &[&'a ast::Flag], scene: &mut Scene) -> Arena<ir::Flag> {
+    /// Lowers flags, behind some that there are, so that each stands after those it uses, whatever their order in the text.
+    fn flags(&mut self, trees: &[&'a ast::Flag], mut lowered: Arena<ir::Flag>, scene: &mut Scene) -> Arena<ir::Flag> {
         let places: HashMap<&str, usize> =
             trees.iter().enumerate().map(|(index, flag)| (flag.name.text.as_str(), index)).collect();
         let uses: Vec<Vec<usize>> = trees
@@ -293,7 +317,6 @@ impl<'a> Lower<'a> {
         let mut waiting: Vec<usize> = uses.iter().map(Vec::len).collect();
         let mut ready: std::collections::VecDeque<usize> =
             (0..trees.len()).filter(|&flag| waiting[flag] == 0).collect();
-        let mut lowered = Arena::default();
         let mut placed = vec![false; trees.len()];
         while let Some(next) = ready.pop_front() {
             let tree = trees[next];

@@ -5,6 +5,7 @@
 
 mod arbiters;
 mod conditions;
+mod contacts;
 mod crisp;
 mod decisions;
 mod diagrams;

@@ -2,9 +2,11 @@
 
 use std::collections::HashMap;
 
+use super::contacts::sense_in_interface;
+use super::groups::is_group;
 use super::quantities::mismatch;
 use super::sensors::{declared_name, told};
-use super::{Lower, claim, counted, given, invalid, missing_part, named, symbol};
+use super::{Lower, claim, counted, duplicate, given, invalid, missing_part, named, symbol};
 use crate::base::{Dimension, Exact, Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir::{self, BodyCommandKind};
@@ -32,15 +34,60 @@ const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
 ];
 
 impl<'a> Lower<'a> {
-    pub(super) fn interface(&mut self, tree: &ast::Interface) {
+    /// Adds an interface, and those that it extends where they have not been added yet.
+    pub(super) fn interface(&mut self, tree: &'a ast::Interface) {
+        let Some(chain) = self.chain(tree, Self::find_interface_tree) else { return };
+        let mut extended = None;
+        for tree in chain {
+            let known = self.scopes.interfaces.get(&tree.name.span).copied();
+            extended = Some(known.unwrap_or_else(|| self.own_interface(tree, extended)));
+        }
+    }
+
+    fn own_interface(&mut self, tree: &ast::Interface, extended: Option<Id<ir::Interface>>) -> Id<ir::Interface> {
+        let (mut sensors, mut actions) = (Vec::new(), Vec::new());
+        if let Some(ir::Interface { sensors: promised, actions: others, .. }) =
+            extended.map(|extended| &self.program.interfaces[extended])
+        {
+            (sensors, actions) = (promised.clone(), others.clone());
+        }
+        let within = std::mem::replace(&mut self.within, tree.span);
         let members = self.members(&tree.items, Carrier::Interface);
         if let Some((_, span)) = members.body {
             self.report(invalid(span, "an interface has no body").help("bodies belong to robots"));
         }
+        self.check_promised_once(&tree.items, &sensors, &actions);
+        self.within = within;
+        sensors.extend(members.sensors);
+        actions.extend(members.actions);
         let symbol = symbol(&tree.name, tree.doc.as_ref());
-        let interface = ir::Interface { symbol, sensors: members.sensors, actions: members.actions };
-        let id = self.program.interfaces.add(interface);
+        let id = self.program.interfaces.add(ir::Interface { symbol, extends: extended, sensors, actions });
         self.scopes.interfaces.insert(tree.name.span, id);
+        id
+    }
+
+    /// Reports what an interface promises though what it extends does already.
+    fn check_promised_once(
+        &mut self,
+        items: &[ast::RobotItem],
+        sensors: &[Id<ir::Sensor>],
+        actions: &[Id<ir::Action>],
+    ) {
+        let program = &self.program;
+        let twice = items.iter().filter_map(|item| match item {
+            ast::RobotItem::Sensor(ast::Sensor { name, .. }) => {
+                let mut promised = sensors.iter().map(|&id| &program.sensors[id].symbol);
+                let first = promised.find(|first| declared_name(&first.name) == name.text)?;
+                Some(duplicate(name, first.span, "sensor"))
+            }
+            ast::RobotItem::Action(ast::Action { name, .. }) => {
+                let first = named(&name.text, actions, |id| &program.actions[id].symbol)?;
+                Some(duplicate(name, program.actions[first].symbol.span, "action"))
+            }
+            _ => None,
+        });
+        let twice: Vec<_> = twice.collect();
+        self.diagnostics.extend(twice);
     }
 
     pub(super) fn robot(&mut self, tree: &'a ast::Robot) {
@@ -75,10 +122,11 @@ impl<'a> Lower<'a> {
         }
         let robot = ir::Robot {
             symbol: symbol(&tree.name, tree.doc.as_ref()),
-            provides: provides.into_iter().map(|(interface, _)| interface).collect(),
+            provides: self.with_extended(provides.into_iter().map(|(interface, _)| interface)),
             body: members.body.and_then(|(body, _)| body),
             sensors: members.sensors,
             logical: members.logical,
+            senses: members.senses,
             actions: members.actions,
             drive,
         };
@@ -87,6 +135,19 @@ impl<'a> Lower<'a> {
         if is_broken {
             self.poison.robots.insert(id);
         }
+    }
+
+    /// Interfaces with those that they extend, each once.
+    fn with_extended(&self, interfaces: impl Iterator<Item = Id<ir::Interface>>) -> Vec<Id<ir::Interface>> {
+        let mut found = Vec::new();
+        for interface in interfaces {
+            let mut next = Some(interface);
+            while let Some(id) = next.filter(|id| !found.contains(id)) {
+                found.push(id);
+                next = self.program.interfaces[id].extends;
+            }
+        }
+        found
     }
 
     /// The behavior that carries out a robot's commands, and the sensors by which everything on the robot sees it.
@@ -206,7 +267,7 @@ impl<'a> Lower<'a> {
                         members.actions.push(self.add_action(&action.name, lowered));
                     }
                 }
-                ast::RobotItem::Logical(_) | ast::RobotItem::Error(_) => {}
+                ast::RobotItem::Sense(_) | ast::RobotItem::Logical(_) | ast::RobotItem::Error(_) => {}
             }
         }
         if matches!(carrier, Carrier::Body | Carrier::Drive) {
@@ -218,15 +279,30 @@ impl<'a> Lower<'a> {
         });
         let names = groups.clone().map(|group| group.name.text.as_str());
         let names: Vec<_> = names.filter(|name| !seen.contains_key(*name)).collect();
+        let mut conditions = Vec::new();
         for group in groups {
             if !claim(&mut seen, &group.name, "sensor", &mut self.diagnostics) {
                 continue;
             }
             match carrier {
                 Carrier::Interface => members.sensors.push(self.logical_in_interface(group)),
-                Carrier::Body | Carrier::Drive | Carrier::Nothing => {
+                Carrier::Body | Carrier::Drive | Carrier::Nothing if is_group(group) => {
                     members.logical.push(self.logical(group, &members.sensors, &names));
                 }
+                Carrier::Body | Carrier::Drive | Carrier::Nothing => conditions.push(group),
+            }
+        }
+        let senses = items.iter().filter_map(|item| match item {
+            ast::RobotItem::Sense(sense) => Some(sense),
+            _ => None,
+        });
+        match carrier {
+            Carrier::Interface => senses.for_each(|sense| self.report(sense_in_interface(sense))),
+            Carrier::Body | Carrier::Drive | Carrier::Nothing => {
+                let sensors = [members.sensors.as_slice(), &members.logical].concat();
+                let (senses, contacts) = self.contacts(&senses.collect::<Vec<_>>(), &conditions, sensors);
+                members.senses = senses;
+                members.logical.extend(contacts);
             }
         }
         members
@@ -516,6 +592,7 @@ struct Members {
     body: Option<(Option<ir::Body>, Span)>,
     sensors: Vec<Id<ir::Sensor>>,
     logical: Vec<Id<ir::Sensor>>,
+    senses: Vec<ir::Sense>,
     actions: Vec<Id<ir::Action>>,
 }
 

@@ -112,7 +112,7 @@ impl<'a> Recorder<'a> {
         let plan = self.plan;
         let truth = |bool| f64::from(u8::from(machine.bool(bool)));
         let sensors = readings.iter().map(|reading| reading.value);
-        let logical = plan.logical.iter().map(|logical| machine.real(logical.value));
+        let logical = plan.logical.iter().map(|logical| read(logical, machine));
         let events = plan
             .events
             .iter()
@@ -222,6 +222,14 @@ fn emergency<'p>(plan: &'p Plan, machine: &Machine<'_>) -> Option<&'p plan::Emer
     arbiter.emergencies.iter().find(|emergency| machine.bool(emergency.condition))
 }
 
+/// What a logical sensor reads.
+fn read(logical: &plan::Logical, machine: &Machine<'_>) -> f64 {
+    match logical.value {
+        plan::Value::Truth(value) => f64::from(u8::from(machine.bool(value))),
+        plan::Value::Number(value) => machine.real(value),
+    }
+}
+
 /// A number that a condition looks at, for people. `dwell` is how long the mode has been active, ns.
 pub fn evidence(plan: &Plan, of: plan::Evidence, readings: &[Reading], machine: &Machine<'_>, dwell: u64) -> Evidence {
     match of {
@@ -234,8 +242,8 @@ pub fn evidence(plan: &Plan, of: plan::Evidence, readings: &[Reading], machine: 
             Evidence { name: input.name.clone(), text }
         }
         plan::Evidence::Logical(index) => {
-            let plan::Logical { name, unit, value, .. } = &plan.logical[index as usize];
-            Evidence { name: name.clone(), text: show_briefly(unit, machine.real(*value)) }
+            let logical = &plan.logical[index as usize];
+            Evidence { name: logical.name.clone(), text: show_briefly(&logical.unit, read(logical, machine)) }
         }
         plan::Evidence::Event(index) => {
             let event = &plan.events[index as usize];

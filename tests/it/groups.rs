@@ -68,7 +68,11 @@ fn grouped(plan: &Plan, values: [f64; 6], failed: &[usize]) -> Vec<f64> {
     let mut machine = Machine::new(plan, 1);
     let readings = readings(values, failed);
     machine.step(Inputs { readings: &readings, done: false }, 0, &mut Log::default());
-    plan.logical.iter().map(|logical| machine.real(logical.value)).collect()
+    let read = |of: &plan::Logical| match of.value {
+        plan::Value::Truth(value) => f64::from(u8::from(machine.bool(value))),
+        plan::Value::Number(value) => machine.real(value),
+    };
+    plan.logical.iter().map(read).collect()
 }
 
 #[test]
