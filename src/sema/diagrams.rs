@@ -100,8 +100,13 @@ impl<'a> Lower<'a> {
             .collect();
         let own =
             |mode: &ast::Mode| mode.span.file == tree.span.file && tree.span.range().contains(&mode.span.range().start);
-        let lower =
-            |mode: &&ast::Mode| ir::Mode { inherited: !own(mode), ..self.mode(mode, &modes, &actions, &mut scene) };
+        // On a robot more is known than on the interface that the extended diagram is written on.
+        let before = chain.iter().rev().skip(1).find_map(|tree| tree.on.as_ref());
+        let is_elsewhere = before.is_some_and(|before| before.text != on.text);
+        let lower = |mode: &&ast::Mode| ir::Mode {
+            inherited: !is_elsewhere && !own(mode),
+            ..self.mode(mode, &modes, &actions, &mut scene)
+        };
         let lowered: Arena<ir::Mode> = parts.modes.iter().map(lower).collect();
         let broken = |tree: &&'a ast::Diagram| tree.items.iter().any(|item| matches!(item, ast::DiagramItem::Error(_)));
         let incomplete = chain.iter().any(broken) || lowered.values().any(|mode| mode.incomplete);

@@ -14,6 +14,7 @@ mod extends;
 mod fusion;
 mod groups;
 mod inference;
+mod interfaces;
 mod linear;
 mod modes;
 mod outputs;

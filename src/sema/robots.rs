@@ -1,4 +1,4 @@
-//! Interfaces and robots: sensors, actions, bodies.
+//! Robots: sensors, actions, bodies, and what interfaces were promised.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use super::contacts::sense_in_interface;
 use super::groups::is_group;
 use super::quantities::mismatch;
 use super::sensors::{declared_name, told};
-use super::{Lower, claim, counted, duplicate, given, invalid, missing_part, named, symbol};
+use super::{Lower, claim, counted, given, invalid, missing_part, named, symbol};
 use crate::base::{Dimension, Exact, Id, Span};
 use crate::diag::{self, Diagnostic};
 use crate::ir::{self, BodyCommandKind};
@@ -34,62 +34,6 @@ const PARAMETERS: &[(&str, Dimension, usize, Option<f64>)] = &[
 ];
 
 impl<'a> Lower<'a> {
-    /// Adds an interface, and those that it extends where they have not been added yet.
-    pub(super) fn interface(&mut self, tree: &'a ast::Interface) {
-        let Some(chain) = self.chain(tree, Self::find_interface_tree) else { return };
-        let mut extended = None;
-        for tree in chain {
-            let known = self.scopes.interfaces.get(&tree.name.span).copied();
-            extended = Some(known.unwrap_or_else(|| self.own_interface(tree, extended)));
-        }
-    }
-
-    fn own_interface(&mut self, tree: &ast::Interface, extended: Option<Id<ir::Interface>>) -> Id<ir::Interface> {
-        let (mut sensors, mut actions) = (Vec::new(), Vec::new());
-        if let Some(ir::Interface { sensors: promised, actions: others, .. }) =
-            extended.map(|extended| &self.program.interfaces[extended])
-        {
-            (sensors, actions) = (promised.clone(), others.clone());
-        }
-        let within = std::mem::replace(&mut self.within, tree.span);
-        let members = self.members(&tree.items, Carrier::Interface);
-        if let Some((_, span)) = members.body {
-            self.report(invalid(span, "an interface has no body").help("bodies belong to robots"));
-        }
-        self.check_promised_once(&tree.items, &sensors, &actions);
-        self.within = within;
-        sensors.extend(members.sensors);
-        actions.extend(members.actions);
-        let symbol = symbol(&tree.name, tree.doc.as_ref());
-        let id = self.program.interfaces.add(ir::Interface { symbol, extends: extended, sensors, actions });
-        self.scopes.interfaces.insert(tree.name.span, id);
-        id
-    }
-
-    /// Reports what an interface promises though what it extends does already.
-    fn check_promised_once(
-        &mut self,
-        items: &[ast::RobotItem],
-        sensors: &[Id<ir::Sensor>],
-        actions: &[Id<ir::Action>],
-    ) {
-        let program = &self.program;
-        let twice = items.iter().filter_map(|item| match item {
-            ast::RobotItem::Sensor(ast::Sensor { name, .. }) => {
-                let mut promised = sensors.iter().map(|&id| &program.sensors[id].symbol);
-                let first = promised.find(|first| declared_name(&first.name) == name.text)?;
-                Some(duplicate(name, first.span, "sensor"))
-            }
-            ast::RobotItem::Action(ast::Action { name, .. }) => {
-                let first = named(&name.text, actions, |id| &program.actions[id].symbol)?;
-                Some(duplicate(name, program.actions[first].symbol.span, "action"))
-            }
-            _ => None,
-        });
-        let twice: Vec<_> = twice.collect();
-        self.diagnostics.extend(twice);
-    }
-
     pub(super) fn robot(&mut self, tree: &'a ast::Robot) {
         let is_body = |item: &ast::RobotItem| match item {
             ast::RobotItem::Body(_) => true,
@@ -135,19 +79,6 @@ impl<'a> Lower<'a> {
         if is_broken {
             self.poison.robots.insert(id);
         }
-    }
-
-    /// Interfaces with those that they extend, each once.
-    fn with_extended(&self, interfaces: impl Iterator<Item = Id<ir::Interface>>) -> Vec<Id<ir::Interface>> {
-        let mut found = Vec::new();
-        for interface in interfaces {
-            let mut next = Some(interface);
-            while let Some(id) = next.filter(|id| !found.contains(id)) {
-                found.push(id);
-                next = self.program.interfaces[id].extends;
-            }
-        }
-        found
     }
 
     /// The behavior that carries out a robot's commands, and the sensors by which everything on the robot sees it.
@@ -247,7 +178,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    fn members(&mut self, items: &[ast::RobotItem], carrier: Carrier) -> Members {
+    pub(super) fn members(&mut self, items: &[ast::RobotItem], carrier: Carrier) -> Members {
         let mut members = Members::default();
         let mut seen = HashMap::new();
         for item in items {
@@ -576,7 +507,7 @@ impl<'a> Lower<'a> {
 
 /// Who carries out the actions of a list of members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Carrier {
+pub(super) enum Carrier {
     /// The robot's body.
     Body,
     /// The robot's body, and a behavior of the robot's.
@@ -588,12 +519,12 @@ enum Carrier {
 }
 
 #[derive(Default)]
-struct Members {
-    body: Option<(Option<ir::Body>, Span)>,
-    sensors: Vec<Id<ir::Sensor>>,
+pub(super) struct Members {
+    pub(super) body: Option<(Option<ir::Body>, Span)>,
+    pub(super) sensors: Vec<Id<ir::Sensor>>,
     logical: Vec<Id<ir::Sensor>>,
     senses: Vec<ir::Sense>,
-    actions: Vec<Id<ir::Action>>,
+    pub(super) actions: Vec<Id<ir::Action>>,
 }
 
 fn missing_body(robot: &ast::Name, needed: Span) -> Diagnostic {
