@@ -133,7 +133,13 @@ module.exports = grammar({
 
         // Interfaces and robots
 
-        interface: ($) => seq('interface', field('name', $.identifier), block($._robot_item)),
+        interface: ($) =>
+            seq(
+                'interface',
+                field('name', $.identifier),
+                optional(seq('extends', alias($.identifier, $.type_name))),
+                block($._robot_item),
+            ),
         robot: ($) =>
             seq(
                 'robot',
@@ -142,7 +148,7 @@ module.exports = grammar({
                 optional(seq('runs', alias($.identifier, $.type_name))),
                 block($._robot_item),
             ),
-        _robot_item: ($) => choice($.body, $.sensor, $.logical, $.action),
+        _robot_item: ($) => choice($.body, $.sensor, $.sense, $.logical, $.action),
         body: ($) => seq('body', field('name', $.identifier), block($.parameter_value)),
         parameter_value: ($) => seq(field('name', $.identifier), choice($.quantity, $.tuple)),
         tuple: ($) => seq('(', list($.quantity), ')'),

@@ -4,7 +4,7 @@ import std.robots.labmate
 
 /// Along the hallway, to where the sonars see farthest: through openings, and past them.
 behavior door_finding on labmate {
-    flag blocked   = sonar[23] < 1.3 m or sonar[0] < 1.3 m
+    flag walled    = sonar[23] < 1.3 m or sonar[0] < 1.3 m
     flag open      = sonar[23] > 1.8 m and sonar[0] > 1.8 m
     flag leftward  = reach_left > reach_right
     /// Heading across the hallway, or back.
@@ -15,8 +15,8 @@ behavior door_finding on labmate {
 
     mode onward {
         go_frwd(0 inch)
-        1: lost                             -> pass
-        2: blocked or too_left or too_right -> search
+        1: lost                            -> pass
+        2: walled or too_left or too_right -> search
     }
     mode search {
         decide (too_left, too_right, leftward) {

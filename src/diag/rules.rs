@@ -104,6 +104,7 @@ rules! {
     DONE_NEVER_REPORTED "LM0313" "done-never-reported" Error "`done` in a mode whose actions never report completion"
     BELOW_TICK "LM0314" "below-tick" Warning "a time shorter than a tick"
     BETWEEN_TICKS "LM0315" "between-ticks" Info "a time that is not a whole number of ticks"
+    LOGICAL_LOOKS_BACK "LM0316" "logical-looks-back" Error "a logical sensor whose condition looks back in time"
 
     MISSING_ENTRY "LM0401" "missing-entry" Error "a diagram without an entry mode"
     MASKED_TRANSITION "LM0402" "masked-transition" Warning "a transition that higher ones always keep from being taken"

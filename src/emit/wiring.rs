@@ -11,7 +11,7 @@ use super::modes::{self, ModeParts};
 use super::names::{Scope, plain};
 use super::network::Network;
 use super::table;
-use crate::plan::{Mode, Plan, Step};
+use crate::plan::{Mode, Plan, Step, Value};
 
 /// A diagram taken apart: what it computes on every tick because it must be remembered, and what each mode computes
 /// when it is active.
@@ -142,7 +142,9 @@ impl<'a> Wiring<'a> {
             plan,
         };
         for logical in &plan.logical {
-            wiring.logical.extend(graph.real(logical.value).map(|node| (node, fields.snake(&logical.name))));
+            if let Value::Number(value) = logical.value {
+                wiring.logical.extend(graph.real(value).map(|node| (node, fields.snake(&logical.name))));
+            }
         }
         for sense in &plan.senses {
             let Some(network) = networks.get(&sense.network) else { continue };

@@ -171,6 +171,14 @@ impl<'p> Machine<'p> {
         self.memory.reals(real)[0]
     }
 
+    /// A number of the last tick, or a truth value as 1 or 0.
+    pub fn value(&self, value: plan::Value) -> f64 {
+        match value {
+            plan::Value::Truth(value) => f64::from(u8::from(self.bool(value))),
+            plan::Value::Number(value) => self.real(value),
+        }
+    }
+
     /// A truth value of the last tick.
     pub fn bool(&self, bool: plan::Bool) -> bool {
         self.memory.bools(bool)[0]

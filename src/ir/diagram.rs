@@ -46,6 +46,22 @@ pub struct Diagram {
     pub incomplete: bool,
 }
 
+impl Diagram {
+    /// Every condition in it.
+    pub fn conditions(&self) -> impl Iterator<Item = Id<Expr>> {
+        let of_modes = self.modes.values().flat_map(|mode| {
+            let rows = mode.decision.iter().flat_map(|table| &table.rows).map(|row| row.condition);
+            rows.chain(mode.transitions.iter().map(|transition| transition.condition))
+        });
+        let of_arbiter = self.arbiter.iter().flat_map(|arbiter| {
+            let priorities = arbiter.clients.iter().flat_map(|client| &client.priorities);
+            let emergencies = arbiter.emergencies.iter().map(|emergency| emergency.condition);
+            emergencies.chain(priorities.filter_map(|(_, when)| *when))
+        });
+        self.flags.values().map(|flag| flag.condition).chain(of_modes).chain(of_arbiter)
+    }
+}
+
 /// A network bound to sensors.
 #[derive(Debug, Clone)]
 pub struct Sense {

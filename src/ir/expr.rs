@@ -76,6 +76,33 @@ pub enum Op {
     Or(Vec<Id<Expr>>),
 }
 
+impl Op {
+    /// What it is made of.
+    pub fn operands(&self) -> Vec<Id<Expr>> {
+        match self {
+            Self::Count(of)
+            | Self::Rising(of)
+            | Self::Falling(of)
+            | Self::Held(of, _)
+            | Self::Latched(of)
+            | Self::Not(of) => vec![*of],
+            Self::Compare(_, left, right) => vec![*left, *right],
+            Self::And(operands) | Self::Or(operands) => operands.clone(),
+            Self::Error
+            | Self::Unknown
+            | Self::Number(_)
+            | Self::Sensor(_)
+            | Self::Failed(_)
+            | Self::Event { .. }
+            | Self::Flag(_)
+            | Self::InMode(_)
+            | Self::Inside(_)
+            | Self::After(_)
+            | Self::Done => Vec::new(),
+        }
+    }
+}
+
 /// A comparison of quantities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Comparison {

@@ -22,7 +22,7 @@ pub use output::{
 };
 pub use robot::{
     Action, Body, BodyArgument, BodyCommand, BodyCommandKind, CarLike, DifferentialDrive, Drive, Group, Grouping,
-    Interface, Parameter, Robot, Sensor, SensorSource,
+    Interface, Kept, Parameter, Robot, Sensor, SensorSource,
 };
 pub use trial::{
     BoxBody, Claim, Expectation, ExpectationKind, Fault, FaultReading, Placement, Property, Response, Scenario, Wall,
@@ -87,7 +87,7 @@ impl Program {
     /// sensor follows from. None for a name that stands for nothing.
     pub fn measuring_named(&self, name: &str, among: &[Id<Sensor>]) -> Vec<Id<Sensor>> {
         match among.iter().find(|id| self.sensors[**id].symbol.name == name) {
-            Some(&id) => self.sensors[id].group.as_ref().map_or_else(|| vec![id], |group| group.of.clone()),
+            Some(&id) => self.members(id),
             None => self.elements(name, among),
         }
     }
@@ -117,6 +117,11 @@ impl Program {
         }
         let (last, before) = names.split_last().unwrap_or((&"", &[]));
         format!("{}.mode is {last}", before.join("."))
+    }
+
+    /// The sensors that measure what a sensor reads: itself, or those that it follows from.
+    pub fn members(&self, sensor: Id<Sensor>) -> Vec<Id<Sensor>> {
+        self.sensors[sensor].members().map_or_else(|| vec![sensor], <[_]>::to_vec)
     }
 
     /// The actions that a diagram on a robot or an interface can call.

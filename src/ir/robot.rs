@@ -1,6 +1,6 @@
 //! Interfaces and robots: sensors, actions, bodies.
 
-use super::{FailReading, Symbol};
+use super::{Expr, FailReading, Sense, Symbol};
 use crate::base::{Exact, Id, Unit};
 
 /// What a behavior may ask of a robot.
@@ -8,9 +8,11 @@ use crate::base::{Exact, Id, Unit};
 pub struct Interface {
     /// Its name.
     pub symbol: Symbol,
-    /// The sensors it promises.
+    /// What it takes over.
+    pub extends: Option<Id<Self>>,
+    /// The sensors it promises, those of what it extends first.
     pub sensors: Vec<Id<Sensor>>,
-    /// The actions it promises.
+    /// The actions it promises, in the same order.
     pub actions: Vec<Id<Action>>,
 }
 
@@ -19,14 +21,16 @@ pub struct Interface {
 pub struct Robot {
     /// Its name.
     pub symbol: Symbol,
-    /// The interfaces it keeps.
+    /// The interfaces it keeps, with those that they extend.
     pub provides: Vec<Id<Interface>>,
     /// Its body; a robot without one can be compiled for but not simulated.
     pub body: Option<Body>,
     /// Its sensors in order, those of an array one by one.
     pub sensors: Vec<Id<Sensor>>,
-    /// Its logical sensors in order.
+    /// Its logical sensors: those of sensors in order, then contacts of its own conditions.
     pub logical: Vec<Id<Sensor>>,
+    /// The networks that the conditions of its contacts look at.
+    pub senses: Vec<Sense>,
     /// Its actions in order.
     pub actions: Vec<Id<Action>>,
     /// What carries out the actions that are neither its body's nor others of its own.
@@ -56,6 +60,11 @@ impl Sensor {
     /// Whether it tells of the machine itself, so that it cannot fail.
     pub fn is_inner(&self) -> bool {
         self.source.is_some_and(SensorSource::is_inner)
+    }
+
+    /// The sensors that measure what it follows from; `None` for one that measures itself.
+    pub fn members(&self) -> Option<&[Id<Self>]> {
+        self.group.as_ref().map(|group| &group.of).or(self.kept.as_ref().map(|kept| &kept.of)).map(Vec::as_slice)
     }
 }
 
@@ -146,6 +155,8 @@ pub struct Sensor {
     pub is_contact: bool,
     /// What it follows from; `None` for one that measures.
     pub group: Option<Group>,
+    /// What it is set by, if it is a contact that follows from a condition.
+    pub kept: Option<Kept>,
     /// The readings it can give, in SI: lower end, upper end.
     pub range: (Exact, Exact),
     /// How it fails, the likeliest way first.
@@ -171,6 +182,15 @@ pub struct Group {
     pub of: Vec<Id<Sensor>>,
     /// How many readings of each it takes the mean of (Sobh §3.4), in the same order; 1 where the last one is enough.
     pub readings: Vec<u32>,
+}
+
+/// A condition as a contact: an intelligent sensor (Sobh §3.2).
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Kept {
+    /// When it is set: events in it are of [`Robot::senses`], and it looks at one tick only.
+    pub condition: Id<Expr>,
+    /// The sensors that it looks at, by itself or through networks and groups: sensors that measure, each once.
+    pub of: Vec<Id<Sensor>>,
 }
 
 /// How one reading follows from several.

@@ -6,7 +6,7 @@ use super::known::Known;
 use super::place::{List, Place};
 use crate::base::{FileId, Id, UNITS};
 use crate::driver::LIBRARY;
-use crate::ir::{Diagram, Network, Program, Symbol, Term};
+use crate::ir::{Diagram, Network, Platform, Program, Robot, Symbol, Term};
 use crate::sema;
 
 /// Everything that fits at a byte of a file; the client leaves out what does not begin as the word that stands there.
@@ -63,7 +63,7 @@ fn beginnings(keyword: &str) -> &'static [&'static str] {
         "network" => &["event", "output", "rule"],
         "event" => &["contributor", "detractor", "rule"],
         "interface" => &["action", "optional", "sensor"],
-        "robot" => &["action", "body", "logical", "optional", "sensor"],
+        "robot" => &["action", "body", "logical", "optional", "sense", "sensor"],
         "body" => &["acceleration_limit", "impact_time", "lag", "mass", "size", "track", "tracking_noise", "traction"],
         "behavior" | "activity" | "goal" => &["entry", "final", "flag", "mode", "sense"],
         "mode" => &["decide", "on"],
@@ -119,7 +119,8 @@ impl Here<'_> {
 
     /// Whether a condition, or an operand of one, is due.
     fn is_condition(line: &[&str], before: &str) -> bool {
-        let starts = line.len() == 2 && before == ":" || line.contains(&"flag") && before == "=";
+        let named = line.contains(&"flag") || line.contains(&"logical");
+        let starts = line.len() == 2 && before == ":" || named && before == "=";
         let first = line.first().copied().unwrap_or("");
         let says = ["never", "always", "to"].contains(&before) || first == "property" && before == ":";
         let goes_on = ["and", "or", "not", "<", "<=", ">", ">=", "==", "!="].contains(&before);
@@ -230,10 +231,17 @@ impl Here<'_> {
         modes.map(|mode| named(&mode.symbol, CompletionItemKind::ENUM_MEMBER)).collect()
     }
 
+    /// The robot that is being written.
+    fn robot(&self) -> Option<Id<Robot>> {
+        let block = self.place.declaration().filter(|block| block.keyword == "robot")?;
+        let own = |symbol: &Symbol| symbol.span.file == self.file && symbol.name == block.name;
+        self.program.robots.iter().find(|(_, robot)| own(&robot.symbol)).map(|(id, _)| id)
+    }
+
     fn sensors(&self) -> Vec<CompletionItem> {
-        let Some(id) = self.diagram() else { return Vec::new() };
-        let sensors = self.program.sensors_of(self.program.diagrams[id].platform).into_iter();
-        let sensors = sensors.map(|id| &self.program.sensors[id]);
+        let of_diagram = || self.diagram().map(|id| self.program.diagrams[id].platform);
+        let Some(platform) = self.robot().map(Platform::Robot).or_else(of_diagram) else { return Vec::new() };
+        let sensors = self.program.sensors_of(platform).into_iter().map(|id| &self.program.sensors[id]);
         sensors.map(|sensor| detailed(named(&sensor.symbol, CompletionItemKind::FIELD), &sensor.unit.text)).collect()
     }
 
@@ -272,7 +280,9 @@ impl Here<'_> {
         items.extend(functions.map(|(name, takes)| {
             detailed(item(*name, CompletionItemKind::FUNCTION), format!("({})", takes.join(", ")))
         }));
-        if let Some(id) = self.diagram() {
+        if let Some(id) = self.robot() {
+            items.extend(self.program.robots[id].senses.iter().flat_map(|sense| self.events(sense.network)));
+        } else if let Some(id) = self.diagram() {
             let diagram = &self.program.diagrams[id];
             items.extend(diagram.flags.values().map(|flag| named(&flag.symbol, CompletionItemKind::VARIABLE)));
             items.extend(diagram.senses.iter().flat_map(|sense| self.events(sense.network)));

@@ -83,6 +83,10 @@ fn of_entity(known: &Known, entity: Entity) -> String {
                 page.text(format!("{how} of {}", of.collect::<Vec<_>>().join(", ")));
                 page.text(means(program, group));
             }
+            if let Some(kept) = &sensor.kept {
+                let condition = known.analysis.sources.slice(program.exprs[kept.condition].span);
+                page.text(format!("set where `{}`", condition.split_whitespace().collect::<Vec<_>>().join(" ")));
+            }
             page.text(in_si(sensor.range, &sensor.unit));
             page.text(if sensor.optional { "A robot can do without it." } else { "" });
         }

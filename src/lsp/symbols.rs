@@ -78,7 +78,7 @@ impl Outline<'_> {
             RobotItem::Sensor(sensor) => Some(self.part(&sensor.name, SymbolKind::FIELD, sensor.span)),
             RobotItem::Logical(logical) => Some(self.part(&logical.name, SymbolKind::FIELD, logical.span)),
             RobotItem::Action(action) => Some(self.part(&action.name, SymbolKind::METHOD, action.span)),
-            RobotItem::Body(_) | RobotItem::Error(_) => None,
+            RobotItem::Body(_) | RobotItem::Sense(_) | RobotItem::Error(_) => None,
         };
         items.iter().filter_map(part).collect()
     }

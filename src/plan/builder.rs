@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::diagram::{Feed, Platform};
-use super::{Bool, Code, Logical, Real, Shape, Step, Steps};
+use super::{Bool, Code, Logical, Real, Shape, Step, Steps, Value};
 use crate::base::{Exact, Id};
 use crate::ir;
 
@@ -61,6 +61,15 @@ pub(super) struct Names<'a> {
     pub(super) outputs: &'a [Vec<Real>],
     /// The named flags that have been emitted.
     pub(super) flags: &'a [Bool],
+}
+
+impl Names<'_> {
+    /// Whether this is the reading of a contact that follows from a condition.
+    fn is_condition(&self, op: &ir::Op) -> bool {
+        let ir::Op::Sensor(sensor) = op else { return false };
+        let Feed::Logical(place) = self.platform.feed(*sensor) else { return false };
+        matches!(self.logical[place as usize].value, Value::Truth(_))
+    }
 }
 
 /// Steps in the order in which they run. Values of the common part are shared by all; values emitted after
@@ -179,11 +188,13 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// What a sensor reads.
-    pub(super) fn sensor(&mut self, sensor: Id<ir::Sensor>, platform: Platform<'_>, logical: &[Logical]) -> Real {
+    /// What a sensor reads; of a contact that follows from a condition, whether it is set.
+    pub(super) fn sensor(&mut self, sensor: Id<ir::Sensor>, platform: Platform<'_>, logical: &[Logical]) -> u32 {
         match platform.feed(sensor) {
             Feed::Input(input) => self.read(input),
-            Feed::Logical(place) => logical[place as usize].value,
+            Feed::Logical(place) => match logical[place as usize].value {
+                Value::Truth(value) | Value::Number(value) => value,
+            },
         }
     }
 
@@ -373,6 +384,8 @@ impl<'a> Builder<'a> {
                     to,
                 })
             }
+            // A contact is only ever compared to learn whether it is set.
+            ir::Op::Compare(_, contact, _) if names.is_condition(&self.program.exprs[*contact].op) => values[contact],
             ir::Op::Compare(comparison, left, right) => {
                 let (left, right) = (values[left], values[right]);
                 self.bool(Key::Compare(*comparison, left, right), |_, to| Step::Compare {
@@ -401,27 +414,7 @@ pub(super) fn reachable(program: &ir::Program, root: Id<ir::Expr>) -> Vec<Id<ir:
     let mut next = 0;
     while let Some(&id) = found.get(next) {
         next += 1;
-        match &program.exprs[id].op {
-            ir::Op::Count(of)
-            | ir::Op::Rising(of)
-            | ir::Op::Falling(of)
-            | ir::Op::Held(of, _)
-            | ir::Op::Latched(of)
-            | ir::Op::Not(of) => found.push(*of),
-            ir::Op::Compare(_, left, right) => found.extend([*left, *right]),
-            ir::Op::And(operands) | ir::Op::Or(operands) => found.extend(operands),
-            ir::Op::Error
-            | ir::Op::Unknown
-            | ir::Op::Number(_)
-            | ir::Op::Sensor(_)
-            | ir::Op::Failed(_)
-            | ir::Op::Event { .. }
-            | ir::Op::Flag(_)
-            | ir::Op::InMode(_)
-            | ir::Op::Inside(_)
-            | ir::Op::After(_)
-            | ir::Op::Done => {}
-        }
+        found.extend(program.exprs[id].op.operands());
     }
     found.sort_unstable();
     found

@@ -1,5 +1,6 @@
 //! The plan of a diagram on a robot.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use super::builder::{Builder, EventSlots, Names, reachable};
@@ -44,14 +45,16 @@ pub fn build_on(checked: Checked<'_>, diagram: Id<ir::Diagram>, on: ir::Platform
     let program = checked.program;
     let position = diagram.index() as u32;
     let diagram = &program.diagrams[diagram];
-    let platform = Platform::new(program, on);
+    let logical = logical(program, diagram, on, watched);
+    let platform = Platform::new(program, on, &logical);
     let mut builder = Builder::new(program);
-    let logical: Vec<_> = platform.logical.iter().map(|&sensor| platform.lower_group(sensor, &mut builder)).collect();
+    let groups = platform.logical.iter().map_while(|&sensor| platform.lower_group(sensor, &mut builder));
+    let mut logical: Vec<_> = groups.collect();
 
     let (mut senses, mut events, mut strengths) = (Vec::new(), Vec::new(), Vec::new());
     let (mut event_flags, mut outputs): (Vec<Vec<Bool>>, Vec<Output>) = (Vec::new(), Vec::new());
     let mut output_values: Vec<Vec<Real>> = Vec::new();
-    for sense in &diagram.senses {
+    for sense in diagram.senses.iter().chain(platform.senses) {
         let readings = sense.inputs.iter().map(|&sensor| builder.sensor(sensor, platform, &logical));
         let readings: Vec<Real> = readings.collect();
         let slots = builder.events(sense.network, &readings);
@@ -78,6 +81,12 @@ pub fn build_on(checked: Checked<'_>, diagram: Id<ir::Diagram>, on: ir::Platform
             events: first..events.len() as u32,
             outputs: first_output..outputs.len() as u32,
         });
+    }
+    let of_robot = &event_flags[diagram.senses.len()..];
+    for &contact in &platform.logical[logical.len()..] {
+        let names = Names { platform, logical: &logical, events: of_robot, outputs: &[], flags: &[] };
+        let contact = platform.lower_contact(contact, &mut builder, &names);
+        logical.extend(contact);
     }
     let mut flags: Vec<Bool> = Vec::new();
     for flag in diagram.flags.values() {
@@ -196,22 +205,27 @@ pub(super) struct Platform<'a> {
     program: &'a ir::Program,
     name: &'a str,
     sensors: &'a [Id<ir::Sensor>],
+    /// Its logical sensors, contacts that follow from conditions last.
     logical: &'a [Id<ir::Sensor>],
+    /// The networks that these contacts look at.
+    senses: &'a [ir::Sense],
     actions: &'a [Id<ir::Action>],
     /// The interfaces a robot keeps; their doc comments stand in for those that the robot does not repeat.
     provides: &'a [Id<ir::Interface>],
 }
 
 impl<'a> Platform<'a> {
-    fn new(program: &'a ir::Program, platform: ir::Platform) -> Self {
+    fn new(program: &'a ir::Program, platform: ir::Platform, logical: &'a [Id<ir::Sensor>]) -> Self {
         match platform {
             ir::Platform::Robot(robot) => {
-                let ir::Robot { symbol, provides, sensors, logical, actions, .. } = &program.robots[robot];
-                Self { program, name: &symbol.name, sensors, logical, actions, provides }
+                let ir::Robot { symbol, provides, sensors, senses, actions, .. } = &program.robots[robot];
+                let has_contacts = logical.last().is_some_and(|last| program.sensors[*last].kept.is_some());
+                let senses = if has_contacts { senses.as_slice() } else { &[] };
+                Self { program, name: &symbol.name, sensors, logical, senses, actions, provides }
             }
             ir::Platform::Interface(interface) => {
-                let ir::Interface { symbol, sensors, actions } = &program.interfaces[interface];
-                Self { program, name: &symbol.name, sensors, logical: &[], actions, provides: &[] }
+                let ir::Interface { symbol, sensors, actions, .. } = &program.interfaces[interface];
+                Self { program, name: &symbol.name, sensors, logical, senses: &[], actions, provides: &[] }
             }
         }
     }
@@ -230,21 +244,32 @@ impl<'a> Platform<'a> {
         match self.feed(sensor) {
             Feed::Input(input) => vec![input],
             Feed::Logical(place) => {
-                let group = self.program.sensors[self.logical[place as usize]].group.iter();
-                group.flat_map(|group| &group.of).flat_map(|&member| self.inputs_of(member)).collect()
+                let members = self.program.members(self.logical[place as usize]);
+                members.into_iter().flat_map(|member| self.inputs_of(member)).collect()
             }
         }
     }
 
-    fn lower_group(&self, sensor: Id<ir::Sensor>, builder: &mut Builder<'_>) -> Logical {
-        let ir::Sensor { symbol, unit, group, .. } = &self.program.sensors[sensor];
+    fn lower_group(&self, sensor: Id<ir::Sensor>, builder: &mut Builder<'_>) -> Option<Logical> {
+        let how = self.program.sensors[sensor].group.as_ref()?.how;
         let of = self.inputs_of(sensor);
-        let members = group.iter().flat_map(|group| group.of.iter().zip(&group.readings)).zip(&of);
+        let readings = self.program.sensors[sensor].group.iter().flat_map(|group| group.of.iter().zip(&group.readings));
+        let members = readings.zip(&of);
         let members = members
             .map(|((&member, &count), &input)| builder.average(input, count, self.program.sensors[member].period));
         let members: Vec<_> = members.collect();
-        let how = group.as_ref().map_or(ir::Grouping::Minimum, |group| group.how);
-        let value = builder.group(how, &members);
+        let value = Value::Number(builder.group(how, &members));
+        Some(self.lower_logical(sensor, of, value))
+    }
+
+    fn lower_contact(&self, sensor: Id<ir::Sensor>, builder: &mut Builder<'_>, names: &Names<'_>) -> Option<Logical> {
+        let condition = self.program.sensors[sensor].kept.as_ref()?.condition;
+        let value = Value::Truth(builder.expr(condition, names));
+        Some(self.lower_logical(sensor, self.inputs_of(sensor), value))
+    }
+
+    fn lower_logical(&self, sensor: Id<ir::Sensor>, of: Vec<u32>, value: Value) -> Logical {
+        let ir::Sensor { symbol, unit, .. } = &self.program.sensors[sensor];
         Logical { name: symbol.name.clone(), origin: origin(symbol), unit: unit.clone(), of, value }
     }
 
@@ -268,7 +293,7 @@ impl<'a> Platform<'a> {
 
     /// The sensors; one that does not say how it fails takes the word of a variable it feeds, by itself or in a group.
     fn inputs(&self, diagram: &ir::Diagram) -> Vec<Input> {
-        let fed = diagram.senses.iter().flat_map(|sense| {
+        let fed = diagram.senses.iter().chain(self.senses).flat_map(|sense| {
             let inputs = sense.inputs.iter().zip(&self.program.networks[sense.network].inputs);
             inputs.map(|(&fed, input)| (self.inputs_of(fed), self.program.variables[input.variable].fails.as_slice()))
         });
@@ -286,6 +311,28 @@ impl<'a> Platform<'a> {
             })
             .collect()
     }
+}
+
+/// The logical sensors of what a diagram runs on: groups, then of the contacts that follow from conditions those that the
+/// diagram or what is watched asks for. What is written on the robot has taken in their conditions, and asks for none.
+fn logical(
+    program: &ir::Program,
+    diagram: &ir::Diagram,
+    on: ir::Platform,
+    watched: &[Id<ir::Expr>],
+) -> Vec<Id<ir::Sensor>> {
+    let ir::Platform::Robot(robot) = on else { return Vec::new() };
+    let name = |sensor: Id<ir::Sensor>| program.sensors[sensor].symbol.name.as_str();
+    let sensor = |id: Id<ir::Expr>| match program.exprs[id].op {
+        ir::Op::Sensor(sensor) | ir::Op::Failed(sensor) => Some(name(sensor)),
+        _ => None,
+    };
+    let conditions = diagram.conditions().chain(watched.iter().copied());
+    let required = diagram.modes.values().flat_map(|mode| &mode.requires).map(|(sensor, _)| name(*sensor));
+    let asked = conditions.flat_map(|condition| reachable(program, condition)).filter_map(sensor);
+    let asked: HashSet<&str> = asked.chain(required).collect();
+    let all = program.robots[robot].logical.iter().copied();
+    all.filter(|&sensor| program.sensors[sensor].group.is_some() || asked.contains(name(sensor))).collect()
 }
 
 /// Where something stands, with the doc comment of what promised it where it has none of its own.
@@ -470,7 +517,7 @@ impl<'a> Parts<'a> {
         let program = self.platform.program;
         let mut parts = Vec::new();
         let mut waiting = vec![(condition, 0)];
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = HashSet::new();
         while let Some((id, depth)) = waiting.pop() {
             let expr = &program.exprs[id];
             let (within, evidence) = match &expr.op {
@@ -517,12 +564,25 @@ impl<'a> Parts<'a> {
 
     /// An event by its position among those of all networks.
     fn event(&self, sense: u32, event: u32) -> Evidence {
-        let before = self.diagram.senses.iter().take(sense as usize);
+        let before = self.senses().take(sense as usize);
         let before = before.map(|sense| self.platform.program.networks[sense.network].events.len());
         Evidence::Event(before.sum::<usize>() as u32 + event)
     }
 
-    /// The numbers a condition looks at, through named flags and events, each once.
+    /// The networks of the plan.
+    fn senses(&self) -> impl Iterator<Item = &ir::Sense> {
+        self.diagram.senses.iter().chain(self.platform.senses)
+    }
+
+    /// The condition that a contact follows from.
+    fn kept(&self, op: &ir::Op) -> Option<Id<ir::Expr>> {
+        let ir::Op::Sensor(sensor) = op else { return None };
+        let Feed::Logical(place) = self.platform.feed(*sensor) else { return None };
+        let sensor = &self.platform.program.sensors[self.platform.logical[place as usize]];
+        sensor.kept.as_ref().map(|kept| kept.condition)
+    }
+
+    /// The numbers a condition looks at, through named flags, contacts and events, each once.
     fn evidence(&self, condition: Id<ir::Expr>) -> Vec<Evidence> {
         let mut evidence = Vec::new();
         let mut add = |item| {
@@ -530,22 +590,26 @@ impl<'a> Parts<'a> {
                 evidence.push(item);
             }
         };
-        let mut waiting = vec![condition];
-        let mut seen = std::collections::HashSet::new();
-        while let Some(root) = waiting.pop() {
+        let mut waiting = vec![(condition, 0)];
+        let mut seen = HashSet::new();
+        while let Some((root, first)) = waiting.pop() {
             for id in reachable(self.platform.program, root) {
                 let op = &self.platform.program.exprs[id].op;
-                self.looks_at(op).into_iter().for_each(&mut add);
                 match op {
-                    ir::Op::Event { sense, .. } => {
-                        for &sensor in &self.diagram.senses[*sense as usize].inputs {
+                    ir::Op::Event { sense, event } => {
+                        add(self.event(first + sense, *event));
+                        let sensed = self.senses().nth((first + sense) as usize);
+                        for &sensor in sensed.iter().flat_map(|sense| &sense.inputs) {
                             add(self.reading(sensor));
                         }
                     }
                     ir::Op::Flag(flag) if seen.insert(*flag) => {
-                        waiting.push(self.diagram.flags[*flag].condition);
+                        waiting.push((self.diagram.flags[*flag].condition, 0));
                     }
-                    _ => {}
+                    op => match self.kept(op) {
+                        Some(condition) => waiting.push((condition, self.diagram.senses.len() as u32)),
+                        None => self.looks_at(op).into_iter().for_each(&mut add),
+                    },
                 }
             }
         }

@@ -31,7 +31,7 @@ pub struct Input {
     pub fail: f64,
 }
 
-/// A logical sensor of the robot, and where its reading is.
+/// A logical sensor of the robot, and where its reading is: of a contact that follows from a condition, whether it is set.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Logical {
     /// Its name.
@@ -43,7 +43,7 @@ pub struct Logical {
     /// The inputs it follows from.
     pub of: Vec<u32>,
     /// Its reading.
-    pub value: Real,
+    pub value: Value,
 }
 
 /// An event and where its numbers are.
@@ -106,7 +106,7 @@ pub struct Plan {
     pub robot: String,
     /// The robot's sensors, in its order.
     pub inputs: Vec<Input>,
-    /// The robot's logical sensors, in its order.
+    /// The robot's logical sensors, in its order; of its contacts that follow from conditions those that are looked at.
     pub logical: Vec<Logical>,
     /// The robot's actions, in its order.
     pub actions: Vec<Action>,
@@ -116,7 +116,7 @@ pub struct Plan {
     pub fuse: Steps,
     /// Run on every tick after a transition was chosen: what scenarios watch.
     pub watch: Steps,
-    /// The networks it senses through.
+    /// The networks it senses through, its robot's last.
     pub senses: Vec<Sense>,
     /// The events of all networks, in order.
     pub events: Vec<Event>,

@@ -313,6 +313,13 @@ impl<'d> Session<'d> {
     }
 
     fn set(&mut self, sensor: &str, value: &str) -> Result<String, Refusal> {
+        let follows = |of: &&plan::Logical| of.name == sensor && matches!(of.value, plan::Value::Truth(_));
+        if let Some(contact) = self.driven.plan.logical.iter().find(follows) {
+            let of: Vec<_> =
+                contact.of.iter().map(|&input| self.driven.plan.inputs[input as usize].name.as_str()).collect();
+            let refusal = Refusal::new(format!("what `{sensor}` reads follows from a condition"));
+            return Err(refusal.help(format!("set what it looks at: `{}`", of.join("`, `"))));
+        }
         let all = self.names.sensor(sensor)?.to_vec();
         let Some(input) = all.first().map(|&index| &self.driven.plan.inputs[index]) else { return Ok(String::new()) };
         let unit = match input.unit.text.as_str() {

@@ -97,10 +97,16 @@ impl Lower<'_> {
             scene.runs.extend(mode.runs.map(|run| (mode.symbol.name.clone(), (id, Some(run.diagram)))));
         }
         for (id, flag) in diagram.flags.iter() {
-            scene.flags.insert(flag.symbol.name.clone(), Some(id));
             scene.flag_places.push(flag.symbol.span);
+            let is_it = |sensor: &Id<ir::Sensor>| self.program.sensors[*sensor].symbol.span == flag.symbol.span;
+            if !scene.sensors.iter().any(is_it) {
+                scene.flags.insert(flag.symbol.name.clone(), Some(id));
+            }
         }
         for (position, sense) in diagram.senses.iter().enumerate() {
+            if self.is_taken_in(diagram.platform, sense) {
+                continue;
+            }
             scene.senses.insert(sense.symbol.name.clone(), position as u32);
             scene.sense_places.push(sense.symbol.span);
             scene.sense_networks.push(sense.network);
@@ -179,7 +185,7 @@ impl Lower<'_> {
             }
             ast::ExprKind::Index(path, indices) => {
                 return match self.one_indexed(path, indices, span, &scene.sensors) {
-                    Some(sensor) => self.reading(sensor, span),
+                    Some(sensor) => self.reading(sensor, span, scene),
                     None => self.poisoned(span),
                 };
             }
@@ -208,7 +214,7 @@ impl Lower<'_> {
             && let Some(sensor) = self.argument_told(path, &scene.sensors)
         {
             self.reads(first, sensor);
-            return self.reading(sensor, path.span);
+            return self.reading(sensor, path.span, scene);
         }
         let op = match path.segments.as_slice() {
             [name] => self.simple_name(name, scene),
@@ -220,15 +226,19 @@ impl Lower<'_> {
             }
         };
         match op {
-            Some(Op::Sensor(sensor)) => self.reading(sensor, path.span),
+            Some(Op::Sensor(sensor)) => self.reading(sensor, path.span, scene),
             Some(op) => self.truth(op, path.span),
             None => self.poisoned(path.span),
         }
     }
 
     /// What a sensor reads; of a contact, whether it is set.
-    fn reading(&mut self, sensor: Id<ir::Sensor>, span: Span) -> Id<Expr> {
-        let ir::Sensor { unit, is_contact, .. } = &self.program.sensors[sensor];
+    fn reading(&mut self, sensor: Id<ir::Sensor>, span: Span, scene: &Scene) -> Id<Expr> {
+        let ir::Sensor { symbol, unit, is_contact, .. } = &self.program.sensors[sensor];
+        // A contact of the robot's own condition stands among the flags of what is written on the robot.
+        if let Some(flag) = scene.flag_places.iter().position(|place| *place == symbol.span) {
+            return self.truth(Op::Flag(Id::new(flag as u32)), span);
+        }
         let (ty, is_contact) = (Type::Quantity(unit.dimension), *is_contact);
         let reading = self.program.exprs.add(Expr { op: Op::Sensor(sensor), ty, span });
         if !is_contact {

@@ -21,6 +21,27 @@ struct Parts<'a> {
     modes: Vec<&'a ast::Mode>,
 }
 
+impl Parts<'_> {
+    /// The simple names in its conditions.
+    fn names(&self) -> Vec<&str> {
+        let mut names = Vec::new();
+        self.flags.iter().for_each(|flag| collect_names(&flag.condition, &mut names));
+        for item in self.modes.iter().flat_map(|mode| &mode.items) {
+            match item {
+                ast::ModeItem::Transition(transition) => collect_names(&transition.condition, &mut names),
+                ast::ModeItem::Decide(table) => {
+                    table.subjects.iter().for_each(|subject| collect_names(subject, &mut names));
+                }
+                ast::ModeItem::Action(_)
+                | ast::ModeItem::OnEnter(..)
+                | ast::ModeItem::OnExit(..)
+                | ast::ModeItem::Error(_) => {}
+            }
+        }
+        names
+    }
+}
+
 /// Replaces what has the same name, and answers it, or adds.
 fn put<'a, T>(
     parts: &mut Vec<&'a T>,
@@ -73,13 +94,16 @@ impl<'a> Lower<'a> {
         };
         let (states, commands) = self.doings(platform);
         let mut scene = Scene { sensors, states, commands, interface, ..Scene::default() };
-        let senses = self.senses(&parts.senses, &mut scene);
+        let mut senses = self.senses(&parts.senses, &mut scene);
         self.broken_items(&chain, &mut scene);
         let runs: Vec<_> = parts.modes.iter().map(|mode| self.run(mode, layer, platform)).collect();
         let outer = parts.modes.iter().zip(&runs).zip(0..).filter(|((mode, _), _)| mode.child.is_some());
         let inner = |run: &Option<ir::Run>| run.as_ref().map(|run| run.diagram);
         scene.runs = outer.map(|((mode, run), place)| (mode.name.text.clone(), (Id::new(place), inner(run)))).collect();
-        let flags = self.flags(&parts.flags, &mut scene);
+        let mut contacts = Arena::default();
+        self.take_in(platform, &parts.names(), &mut senses, &mut contacts);
+        scene.flag_places.extend(contacts.values().map(|flag| flag.symbol.span));
+        let flags = self.flags(&parts.flags, contacts, &mut scene);
         let modes: HashMap<_, _> = parts
             .modes
             .iter()
@@ -88,8 +112,11 @@ impl<'a> Lower<'a> {
             .collect();
         let own =
             |mode: &ast::Mode| mode.span.file == tree.span.file && tree.span.range().contains(&mode.span.range().start);
+        // On a robot more is known than on the interface that the extended diagram is written on.
+        let before = chain.iter().rev().skip(1).find_map(|tree| tree.on.as_ref());
+        let is_elsewhere = before.is_some_and(|before| before.text != on.text);
         let lower = |(mode, run): (&&ast::Mode, Option<ir::Run>)| ir::Mode {
-            inherited: !own(mode),
+            inherited: !is_elsewhere && !own(mode),
             ..self.mode(mode, run, &modes, &owner, &mut scene)
         };
         let lowered: Arena<ir::Mode> = parts.modes.iter().zip(runs).map(lower).collect();
@@ -174,7 +201,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    fn senses(&mut self, trees: &[&'a ast::Sense], scene: &mut Scene) -> Vec<ir::Sense> {
+    pub(super) fn senses(&mut self, trees: &[&ast::Sense], scene: &mut Scene) -> Vec<ir::Sense> {
         let mut senses = Vec::new();
         for tree in trees {
             let Some(network) = self.find_network(&tree.network) else {
@@ -286,8 +313,8 @@ impl<'a> Lower<'a> {
         if complete { placed.into_iter().collect() } else { None }
     }
 
-    /// Lowers flags so that each stands after those it uses, whatever their order in the text.
-    fn flags(&mut self, trees: &[&'a ast::Flag], scene: &mut Scene) -> Arena<ir::Flag> {
+    /// Lowers flags, behind some that there are, so that each stands after those it uses, whatever their order in the text.
+    fn flags(&mut self, trees: &[&'a ast::Flag], mut lowered: Arena<ir::Flag>, scene: &mut Scene) -> Arena<ir::Flag> {
         let places: HashMap<&str, usize> =
             trees.iter().enumerate().map(|(index, flag)| (flag.name.text.as_str(), index)).collect();
         let uses: Vec<Vec<usize>> = trees
@@ -307,7 +334,6 @@ impl<'a> Lower<'a> {
         let mut waiting: Vec<usize> = uses.iter().map(Vec::len).collect();
         let mut ready: std::collections::VecDeque<usize> =
             (0..trees.len()).filter(|&flag| waiting[flag] == 0).collect();
-        let mut lowered = Arena::default();
         let mut placed = vec![false; trees.len()];
         while let Some(next) = ready.pop_front() {
             let tree = trees[next];

@@ -21,6 +21,16 @@ impl Extends for ast::Diagram {
     }
 }
 
+impl Extends for ast::Interface {
+    fn name(&self) -> &ast::Name {
+        &self.name
+    }
+
+    fn extends(&self) -> Option<&ast::Name> {
+        self.extends.as_ref()
+    }
+}
+
 impl Extends for ast::Scenario {
     fn name(&self) -> &ast::Name {
         &self.name

@@ -1,5 +1,6 @@
 //! Logical sensors, which follow from several (Sobh §3.2).
 
+use super::conditions::FUNCTIONS;
 use super::openings::WIDEST;
 use super::quantities::{mismatch, too_long};
 use super::robots::{join, unknown_path};
@@ -18,6 +19,14 @@ const GROUPINGS: &[(&str, Grouping, bool)] = &[
     ("any", Grouping::Maximum, true),
     ("all", Grouping::Minimum, true),
 ];
+
+/// Whether a logical sensor groups others; else it is a condition.
+pub(super) fn is_group(tree: &ast::Logical) -> bool {
+    match &tree.value.kind {
+        ast::ExprKind::Call(call) => FUNCTIONS.iter().all(|(known, _)| *known != join(&call.path)),
+        _ => tree.within.is_some(),
+    }
+}
 
 impl Lower<'_> {
     /// Adds a logical sensor, which follows from those of `sensors` it names; `groups` are the names of all logical ones.
@@ -41,13 +50,10 @@ impl Lower<'_> {
     }
 
     fn grouped(&mut self, tree: &ast::Logical, sensors: &[Id<ir::Sensor>], groups: &[&str]) -> Option<ir::Sensor> {
-        let ast::ExprKind::Call(call) = &tree.value.kind else {
-            if let Some(within) = &tree.within {
-                return self.read_again(tree, within, sensors, groups);
-            }
-            let diagnostic = invalid(tree.value.span, "a logical sensor groups others");
-            self.report(diagnostic.help("write `min(...)`, `max`, `mean`, `median`, or of contacts `any` or `all`"));
-            return None;
+        let call = match (&tree.value.kind, &tree.within) {
+            (ast::ExprKind::Call(call), _) => call,
+            (_, Some(within)) => return self.read_again(tree, within, sensors, groups),
+            (_, None) => return None,
         };
         let name = join(&call.path);
         if name == WIDEST {

@@ -6,6 +6,7 @@
 mod arbiters;
 mod bodies;
 mod conditions;
+mod contacts;
 mod crisp;
 mod decisions;
 mod diagrams;
@@ -14,6 +15,7 @@ mod extends;
 mod fusion;
 mod groups;
 mod inference;
+mod interfaces;
 mod layers;
 mod linear;
 mod modes;

@@ -13,6 +13,7 @@ const FEW: usize = 5;
 impl Lower<'_> {
     pub(super) fn property(&mut self, tree: &ast::Property) {
         let Some(diagram) = self.property_diagram(tree) else { return };
+        self.take_in_later(diagram, &names(tree));
         let sensors = self.program.sensors_of(self.program.diagrams[diagram].platform);
         let scene = self.watched_scene(diagram, sensors);
         let claim = match &tree.kind {
@@ -64,20 +65,10 @@ impl Lower<'_> {
 
     /// Whether every simple name in the conditions of a property means something in a diagram.
     fn has_all_names(&self, id: Id<ir::Diagram>, tree: &ast::Property) -> bool {
-        let mut names = Vec::new();
-        match &tree.kind {
-            ast::PropertyKind::Never(condition) | ast::PropertyKind::Always(condition) => {
-                collect_names(condition, &mut names);
-            }
-            ast::PropertyKind::LeadsTo { cause, effect, .. } => {
-                collect_names(cause, &mut names);
-                collect_names(effect, &mut names);
-            }
-        }
         let sensors = self.program.sensors_of(self.program.diagrams[id].platform);
         let scene = self.watched_scene(id, sensors.clone());
         let sensor = |name: &str| sensors.iter().any(|id| self.program.sensors[*id].symbol.name == name);
-        names.into_iter().all(|name| scene.names().any(|known| known == name) || sensor(name))
+        names(tree).into_iter().all(|name| scene.names().any(|known| known == name) || sensor(name))
     }
 
     /// The properties of a diagram that a file declares or imports, as its scenarios watch them.
@@ -94,6 +85,21 @@ impl Lower<'_> {
         }
         expectations
     }
+}
+
+/// The simple names in the conditions of a property.
+fn names(tree: &ast::Property) -> Vec<&str> {
+    let mut names = Vec::new();
+    match &tree.kind {
+        ast::PropertyKind::Never(condition) | ast::PropertyKind::Always(condition) => {
+            collect_names(condition, &mut names);
+        }
+        ast::PropertyKind::LeadsTo { cause, effect, .. } => {
+            collect_names(cause, &mut names);
+            collect_names(effect, &mut names);
+        }
+    }
+    names
 }
 
 fn without_behavior(tree: &ast::Property) -> Diagnostic {

@@ -1,7 +1,9 @@
-//! Interfaces and robots: sensors, actions, bodies.
+//! Robots: sensors, actions, bodies, and what interfaces were promised.
 
 use std::collections::HashMap;
 
+use super::contacts::sense_in_interface;
+use super::groups::is_group;
 use super::quantities::mismatch;
 use super::sensors::{declared_name, told};
 use super::{Lower, claim, counted, given, invalid, missing_part, named, symbol};
@@ -21,17 +23,6 @@ const COMMANDS: &[(&str, BodyCommandKind, &[Dimension])] = &[
 ];
 
 impl<'a> Lower<'a> {
-    pub(super) fn interface(&mut self, tree: &ast::Interface) {
-        let members = self.members(&tree.items, Carrier::Interface);
-        if let Some((_, span)) = members.body {
-            self.report(invalid(span, "an interface has no body").help("bodies belong to robots"));
-        }
-        let symbol = symbol(&tree.name, tree.doc.as_ref());
-        let interface = ir::Interface { symbol, sensors: members.sensors, actions: members.actions };
-        let id = self.program.interfaces.add(interface);
-        self.scopes.interfaces.insert(tree.name.span, id);
-    }
-
     pub(super) fn robot(&mut self, tree: &'a ast::Robot) {
         let is_body = |item: &ast::RobotItem| match item {
             ast::RobotItem::Body(_) => true,
@@ -65,10 +56,11 @@ impl<'a> Lower<'a> {
         }
         let robot = ir::Robot {
             symbol: symbol(&tree.name, tree.doc.as_ref()),
-            provides: provides.into_iter().map(|(interface, _)| interface).collect(),
+            provides: self.with_extended(provides.into_iter().map(|(interface, _)| interface)),
             body: members.body.and_then(|(body, _)| body),
             sensors: members.sensors,
             logical: members.logical,
+            senses: members.senses,
             actions: members.actions,
             drive,
         };
@@ -176,7 +168,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    fn members(&mut self, items: &[ast::RobotItem], carrier: Carrier) -> Members {
+    pub(super) fn members(&mut self, items: &[ast::RobotItem], carrier: Carrier) -> Members {
         let mut members = Members::default();
         let mut seen = HashMap::new();
         for item in items {
@@ -196,7 +188,7 @@ impl<'a> Lower<'a> {
                         members.actions.push(self.add_action(&action.name, lowered));
                     }
                 }
-                ast::RobotItem::Logical(_) | ast::RobotItem::Error(_) => {}
+                ast::RobotItem::Sense(_) | ast::RobotItem::Logical(_) | ast::RobotItem::Error(_) => {}
             }
         }
         if matches!(carrier, Carrier::Body | Carrier::Drive) {
@@ -208,15 +200,30 @@ impl<'a> Lower<'a> {
         });
         let names = groups.clone().map(|group| group.name.text.as_str());
         let names: Vec<_> = names.filter(|name| !seen.contains_key(*name)).collect();
+        let mut conditions = Vec::new();
         for group in groups {
             if !claim(&mut seen, &group.name, "sensor", &mut self.diagnostics) {
                 continue;
             }
             match carrier {
                 Carrier::Interface => members.sensors.push(self.logical_in_interface(group)),
-                Carrier::Body | Carrier::Drive | Carrier::Nothing => {
+                Carrier::Body | Carrier::Drive | Carrier::Nothing if is_group(group) => {
                     members.logical.push(self.logical(group, &members.sensors, &names));
                 }
+                Carrier::Body | Carrier::Drive | Carrier::Nothing => conditions.push(group),
+            }
+        }
+        let senses = items.iter().filter_map(|item| match item {
+            ast::RobotItem::Sense(sense) => Some(sense),
+            _ => None,
+        });
+        match carrier {
+            Carrier::Interface => senses.for_each(|sense| self.report(sense_in_interface(sense))),
+            Carrier::Body | Carrier::Drive | Carrier::Nothing => {
+                let sensors = [members.sensors.as_slice(), &members.logical].concat();
+                let (senses, contacts) = self.contacts(&senses.collect::<Vec<_>>(), &conditions, sensors);
+                members.senses = senses;
+                members.logical.extend(contacts);
             }
         }
         members
@@ -425,7 +432,7 @@ impl<'a> Lower<'a> {
 
 /// Who carries out the actions of a list of members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Carrier {
+pub(super) enum Carrier {
     /// The robot's body.
     Body,
     /// The robot's body, and a behavior of the robot's.
@@ -437,11 +444,12 @@ enum Carrier {
 }
 
 #[derive(Default)]
-struct Members {
-    body: Option<(Option<ir::Body>, Span)>,
-    sensors: Vec<Id<ir::Sensor>>,
+pub(super) struct Members {
+    pub(super) body: Option<(Option<ir::Body>, Span)>,
+    pub(super) sensors: Vec<Id<ir::Sensor>>,
     logical: Vec<Id<ir::Sensor>>,
-    actions: Vec<Id<ir::Action>>,
+    senses: Vec<ir::Sense>,
+    pub(super) actions: Vec<Id<ir::Action>>,
 }
 
 fn missing_body(robot: &ast::Name, needed: Span) -> Diagnostic {

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::conditions::Scene;
+use super::diagrams::collect_names;
 use super::modes::Modes;
 use super::quantities::empty_range;
 use super::{Lower, claim, missing_part, not_supported, symbol};
@@ -221,6 +222,13 @@ impl<'a> Lower<'a> {
             indices => self.indexed(name, indices, &sensors),
         };
         let meant = meant.filter(|meant| !meant.is_empty())?;
+        let follows =
+            self.find_sensor(name, &sensors).is_some_and(|sensor| self.program.sensors[sensor].kept.is_some());
+        if let (Some(_), true) = (reading, follows) {
+            let diagnostic = super::invalid(name.span, format!("what `{}` reads follows from a condition", name.text));
+            self.report(diagnostic.help("say what a sensor that it looks at reads, or write `fail` for all of them"));
+            return None;
+        }
         let ir::Sensor { unit, is_contact, .. } = self.program.sensors[meant[0]].clone();
         let reading = match reading {
             None => ir::FaultReading::Reported,
@@ -260,6 +268,16 @@ impl<'a> Lower<'a> {
         diagram: Id<ir::Diagram>,
         robot: Id<ir::Robot>,
     ) -> Vec<ir::Expectation> {
+        let mut names = Vec::new();
+        for tree in trees {
+            match &tree.kind {
+                ast::ExpectKind::Within { condition, .. }
+                | ast::ExpectKind::Never { condition, .. }
+                | ast::ExpectKind::Always { condition, .. } => collect_names(condition, &mut names),
+                ast::ExpectKind::Modes(_) | ast::ExpectKind::Transition { .. } => {}
+            }
+        }
+        self.take_in_later(diagram, &names);
         let sensors = self.program.robots[robot].all_sensors();
         let scene = self.watched_scene(diagram, sensors);
         let place = |id: Id<ir::Mode>| (id, scene.mode_places[id.index()]);

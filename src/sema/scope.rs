@@ -306,8 +306,14 @@ impl<'a> Lower<'a> {
     }
 
     pub(super) fn find_interface(&mut self, name: &ast::Name) -> Option<Id<ir::Interface>> {
+        let interface = self.find_interface_tree(name)?;
+        self.scopes.interfaces.get(&interface.name.span).copied()
+    }
+
+    /// The tree of an interface, for those that extend it.
+    pub(super) fn find_interface_tree(&mut self, name: &ast::Name) -> Option<&'a ast::Interface> {
         match self.look_up(name, "interface")? {
-            Declared::Interface(interface) => self.scopes.interfaces.get(&interface.name.span).copied(),
+            Declared::Interface(interface) => Some(interface),
             other => {
                 self.wrong_kind(name, other, "interface");
                 None

@@ -37,6 +37,7 @@ pub(super) fn plain(symbol: ir::Symbol, optional: bool, unit: Unit, range: (Exac
         unit,
         is_contact: false,
         group: None,
+        kept: None,
         range,
         fails: Vec::new(),
         source: None,

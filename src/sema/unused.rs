@@ -20,8 +20,10 @@ impl Lower<'_> {
     pub(super) fn unused(&mut self) {
         let mut found = Vec::new();
         for item in self.units.iter().flat_map(|unit| &unit.tree.items) {
-            if let ast::Item::Diagram(diagram) = item {
-                self.unused_in_diagram(diagram, &mut found);
+            match item {
+                ast::Item::Diagram(diagram) => self.unused_in_diagram(diagram, &mut found),
+                ast::Item::Robot(robot) => self.unused_in_robot(robot, &mut found),
+                _ => {}
             }
         }
         for variable in self.program.variables.values() {
@@ -48,6 +50,16 @@ impl Lower<'_> {
                     found.push(unused_sense(sense, &tree.name.text, fix));
                 }
                 _ => {}
+            }
+        }
+    }
+
+    fn unused_in_robot(&self, tree: &ast::Robot, found: &mut Vec<Diagnostic>) {
+        for item in &tree.items {
+            if let ast::RobotItem::Sense(sense) = item
+                && !self.read.contains(&sense_name(sense).span)
+            {
+                found.push(unused_sense(sense, &tree.name.text, None));
             }
         }
     }

@@ -54,6 +54,7 @@ pub(super) fn program(body: ir::DifferentialDrive) -> ir::Program {
             unit,
             is_contact: false,
             group: None,
+            kept: None,
             range: (whole(low), whole(high)),
             fails: Vec::new(),
             source: Some(source),
@@ -85,6 +86,7 @@ pub(super) fn program(body: ir::DifferentialDrive) -> ir::Program {
         body: Some(ir::Body::DifferentialDrive(body)),
         sensors: sensors.to_vec(),
         logical: Vec::new(),
+        senses: Vec::new(),
         actions: actions.to_vec(),
         drive: None,
     });

@@ -107,7 +107,7 @@ impl<'a> Recorder<'a> {
         let plan = self.plan;
         let truth = |bool| f64::from(u8::from(machine.bool(bool)));
         let sensors = readings.iter().map(|reading| reading.value);
-        let logical = plan.logical.iter().map(|logical| machine.real(logical.value));
+        let logical = plan.logical.iter().map(|logical| machine.value(logical.value));
         let events = plan
             .events
             .iter()
@@ -270,8 +270,8 @@ pub fn evidence(plan: &Plan, of: plan::Evidence, readings: &[Reading], machine: 
             Evidence { name: input.name.clone(), text }
         }
         plan::Evidence::Logical(index) => {
-            let plan::Logical { name, unit, value, .. } = &plan.logical[index as usize];
-            Evidence { name: name.clone(), text: show_briefly(unit, machine.real(*value)) }
+            let logical = &plan.logical[index as usize];
+            Evidence { name: logical.name.clone(), text: show_briefly(&logical.unit, machine.value(logical.value)) }
         }
         plan::Evidence::Event(index) => {
             let event = &plan.events[index as usize];

@@ -77,8 +77,11 @@ impl Cues {
             group.is_some_and(|group| matches!(group.how, Grouping::Widest { .. }))
         };
         let places = |sensor: Id<Sensor>| {
-            let of = program.sensors[sensor].group.as_ref().map_or_else(|| vec![sensor], |group| group.of.clone());
-            of.into_iter().filter_map(|sensor| sensors.iter().position(|own| *own == sensor)).collect::<Vec<_>>()
+            program
+                .members(sensor)
+                .into_iter()
+                .filter_map(|sensor| sensors.iter().position(|own| *own == sensor))
+                .collect::<Vec<_>>()
         };
         let unit = |sensor: Id<Sensor>| &program.sensors[sensor].unit;
         let cue = |stimulus: &Stimulus| {

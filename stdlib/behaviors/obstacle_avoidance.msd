@@ -1,13 +1,10 @@
 // Obstacle avoidance (Born & Wright 2007, section 3.1 and fig. 6). The modes are the paper's, and so is the speed of
 // 26 cm/s; the other speeds, times and angles are ours.
 
-import std.networks.obstacle_id
-import std.robots.j5
+import std.interfaces.alert_base
 
-/// Drives ahead; turns away from what it hits (fig. 6).
-behavior obstacle_avoidance on j5 {
-    sense obstacle_id(left_wheel_acceleration, right_wheel_acceleration, contact_force)
-
+/// Drives ahead; turns away from what is in the way (fig. 6).
+behavior obstacle_avoidance on alert_base {
     entry init
 
     /// Waits for the sensors to settle.
@@ -17,7 +14,7 @@ behavior obstacle_avoidance on j5 {
     }
     mode forward {
         drive(26 cm/s)
-        1: forward_collision -> stop
+        1: blocked -> stop
     }
     mode stop {
         halt()

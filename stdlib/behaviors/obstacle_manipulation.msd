@@ -2,9 +2,13 @@
 // heavy flag added. The arc's radius and the time of a push are ours.
 
 import std.behaviors.obstacle_avoidance
+import std.networks.obstacle_id
+import std.robots.j5
 
 /// Pushes what is light, goes around what is heavy (fig. 7).
-behavior obstacle_manipulation extends obstacle_avoidance {
+behavior obstacle_manipulation on j5 extends obstacle_avoidance {
+    sense obstacle_id(left_wheel_acceleration, right_wheel_acceleration, contact_force)
+
     // lmsl: allow(trapped-by-failure) because a force stuck at 0 N makes every box look light, and the robot goes on
     // pushing for four seconds at a time; known to have failed, it inhibits push, and the robot avoids every box
     mode forward {

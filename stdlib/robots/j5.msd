@@ -4,10 +4,11 @@
 // ranges and noise, the track, the traction and the lag are ours: the paper shows them only in figures, or not at all.
 // With a traction of 0.4 for wheels and boxes alike, the wheels slip from about 60 kg on, as in fig. 8.
 
-import std.interfaces.mobile_base
+import std.interfaces.pushing_base
+import std.networks.obstacle_id
 
 /// UALR's J5: 59 kg, 1 m long, 0.75 m wide, differential drive, force-sensing wedge.
-robot j5 provides mobile_base {
+robot j5 provides pushing_base {
     body differential_drive {
         mass 59 kg
         size (1 m, 0.75 m)
@@ -25,6 +26,12 @@ robot j5 provides mobile_base {
     sensor right_wheel_acceleration: m/s^2 in -4 .. 4 fails 0 = wheel.right.acceleration noise 0.05
     /// From the strain gauge behind the wedge.
     optional sensor contact_force: N in 0 .. 400 fails 0 = wedge.force noise 2
+
+    sense obstacle_id(left_wheel_acceleration, right_wheel_acceleration, contact_force)
+
+    /// It has run into something, as accelerations and force tell together.
+    logical blocked = forward_collision
+    logical too_heavy = heavy_obstacle
 
     action halt() = body.stop()
     action drive(speed: m/s) = body.velocity(speed, 0 deg/s)

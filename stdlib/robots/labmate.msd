@@ -4,10 +4,10 @@
 // From the paper: 24 sonars in a ring, eight infrared sensors, two bumpers, the eight commands, and the states of
 // fig. 6. Mass, size, track, speeds, and the numbers of the sensors are ours: the paper gives them nowhere.
 
-import std.interfaces.mobile_base
+import std.interfaces.located_base
 
 /// LABMATE: 24 sonars around it, infrared sensors, bumpers, and commands that a machine of six states carries out.
-robot labmate provides mobile_base runs labmate_drive {
+robot labmate provides located_base runs labmate_drive {
     body differential_drive {
         mass 92 kg
         size (0.81 m, 0.75 m)
@@ -38,9 +38,12 @@ robot labmate provides mobile_base runs labmate_drive {
     logical back = min(sonar[9..14])
     /// LS-RIGHT
     logical right = min(sonar[15..20])
+    logical ahead_left = min(sonar[2..3])
+    logical ahead_right = min(sonar[20..21])
     /// How far it sees to the left of where it heads, and to the right.
     logical reach_left = max(sonar[0..4])
     logical reach_right = max(sonar[19..23])
+    logical blocked = front_bumper or front < 50 cm
 
     /// GO-FRWD: as far as that, or until told otherwise for 0.
     action go_frwd(distance: inch) -> done
@@ -73,7 +76,8 @@ robot labmate provides mobile_base runs labmate_drive {
 behavior labmate_drive on labmate {
     flag by_speed = command is any of {drive, arc}
     flag forth    = command is go_frwd or by_speed and command.speed >= 0 m/s
-    flag back_up  = command is go_bkwd or by_speed and command.speed < 0 m/s
+    /// Driven back by its speed, it minds what is behind it, as those who drive it so do not.
+    flag back_up = command is go_bkwd or by_speed and command.speed < 0 m/s and back > 25 cm
     /// What is allowed in every state, and changes none.
     flag looks    = command is any of {read_sonar, get_position}
 

@@ -235,7 +235,7 @@ pub mod obstacle_id {
 
 /// Pushes what is light, goes around what is heavy (fig. 7).
 ///
-/// Behavior `obstacle_manipulation` on `j5`, obstacle_manipulation.msd:7.
+/// Behavior `obstacle_manipulation` on `j5`, obstacle_manipulation.msd:9.
 #[allow(
     clippy::approx_constant,
     clippy::cast_precision_loss,
@@ -368,25 +368,25 @@ pub mod obstacle_manipulation {
         type Error;
         /// Stands still.
         ///
-        /// Action `halt`, std/robots/j5.msd:29.
+        /// Action `halt`, std/robots/j5.msd:36.
         fn halt(&mut self) -> Result<(), Self::Error>;
         /// Drives straight ahead, or back for a negative speed.
         ///
         /// `speed` is in m/s.
         ///
-        /// Action `drive`, std/robots/j5.msd:30.
+        /// Action `drive`, std/robots/j5.msd:37.
         fn drive(&mut self, speed: f64) -> Result<(), Self::Error>;
         /// Drives along a circle, to the left for a positive radius.
         ///
         /// `speed` is in m/s; `radius` is in m.
         ///
-        /// Action `arc`, std/robots/j5.msd:31.
+        /// Action `arc`, std/robots/j5.msd:38.
         fn arc(&mut self, speed: f64, radius: f64) -> Result<(), Self::Error>;
         /// Turns in place, to the left for a positive angle.
         ///
         /// `angle` is in rad; `start` is true on the tick that gives the command, and false while it goes on.
         ///
-        /// Action `turn`, std/robots/j5.msd:32.
+        /// Action `turn`, std/robots/j5.msd:39.
         fn turn(&mut self, angle: f64, start: bool) -> Result<(), Self::Error>;
     }
 
@@ -395,19 +395,19 @@ pub mod obstacle_manipulation {
     pub enum Mode {
         /// Waits for the sensors to settle.
         ///
-        /// Mode `init`, std/behaviors/obstacle_avoidance.msd:14.
+        /// Mode `init`, std/behaviors/obstacle_avoidance.msd:11.
         Init,
-        /// Mode `forward`, obstacle_manipulation.msd:10.
+        /// Mode `forward`, obstacle_manipulation.msd:14.
         Forward,
-        /// Mode `stop`, std/behaviors/obstacle_avoidance.msd:22.
+        /// Mode `stop`, std/behaviors/obstacle_avoidance.msd:19.
         Stop,
-        /// Mode `back_up`, std/behaviors/obstacle_avoidance.msd:26.
+        /// Mode `back_up`, std/behaviors/obstacle_avoidance.msd:23.
         BackUp,
-        /// Mode `random_turn`, std/behaviors/obstacle_avoidance.msd:30.
+        /// Mode `random_turn`, std/behaviors/obstacle_avoidance.msd:27.
         RandomTurn,
         /// Pushes along a forward arc.
         ///
-        /// Mode `push`, obstacle_manipulation.msd:18.
+        /// Mode `push`, obstacle_manipulation.msd:22.
         Push,
     }
 
@@ -514,7 +514,7 @@ pub mod obstacle_manipulation {
                 None => self.enter_init(robot),
                 Some(State::Init { elapsed }) => {
                     *elapsed = elapsed.saturating_add(dt);
-                    // 1: after 2 s -> forward (std/behaviors/obstacle_avoidance.msd:16)
+                    // 1: after 2 s -> forward (std/behaviors/obstacle_avoidance.msd:13)
                     if *elapsed >= 2_000_000_000 {
                         return self.enter_forward(robot);
                     }
@@ -522,16 +522,16 @@ pub mod obstacle_manipulation {
                     Ok(Mode::Init)
                 }
                 Some(State::Forward) => {
-                    // 1: heavy_obstacle    -> stop (obstacle_manipulation.msd:12)
+                    // 1: heavy_obstacle    -> stop (obstacle_manipulation.msd:16)
                     let obstacle_id = inputs.obstacle_id();
                     if obstacle_id.heavy_obstacle {
                         return self.enter_stop(robot);
                     }
-                    // 2: forward_collision -> push (obstacle_manipulation.msd:13)
+                    // 2: forward_collision -> push (obstacle_manipulation.msd:17)
                     if obstacle_id.forward_collision && !inputs.failed.contact_force {
                         return self.enter_push(robot);
                     }
-                    // 3: forward_collision -> stop (obstacle_manipulation.msd:15)
+                    // 3: forward_collision -> stop (obstacle_manipulation.msd:19)
                     if obstacle_id.forward_collision {
                         return self.enter_stop(robot);
                     }
@@ -540,7 +540,7 @@ pub mod obstacle_manipulation {
                 }
                 Some(State::Stop { elapsed }) => {
                     *elapsed = elapsed.saturating_add(dt);
-                    // 1: after 500 ms -> back_up (std/behaviors/obstacle_avoidance.msd:24)
+                    // 1: after 500 ms -> back_up (std/behaviors/obstacle_avoidance.msd:21)
                     if *elapsed >= 500_000_000 {
                         return self.enter_back_up(robot);
                     }
@@ -549,7 +549,7 @@ pub mod obstacle_manipulation {
                 }
                 Some(State::BackUp { elapsed }) => {
                     *elapsed = elapsed.saturating_add(dt);
-                    // 1: after 1.5 s -> random_turn (std/behaviors/obstacle_avoidance.msd:28)
+                    // 1: after 1.5 s -> random_turn (std/behaviors/obstacle_avoidance.msd:25)
                     if *elapsed >= 1_500_000_000 {
                         return self.enter_random_turn(robot);
                     }
@@ -557,7 +557,7 @@ pub mod obstacle_manipulation {
                     Ok(Mode::BackUp)
                 }
                 Some(State::RandomTurn { angle }) => {
-                    // 1: done -> forward (std/behaviors/obstacle_avoidance.msd:32)
+                    // 1: done -> forward (std/behaviors/obstacle_avoidance.msd:29)
                     if inputs.done {
                         return self.enter_forward(robot);
                     }
@@ -570,12 +570,12 @@ pub mod obstacle_manipulation {
                     if inputs.failed.contact_force {
                         return self.enter_stop(robot);
                     }
-                    // 1: heavy_obstacle -> stop (obstacle_manipulation.msd:20)
+                    // 1: heavy_obstacle -> stop (obstacle_manipulation.msd:24)
                     let obstacle_id = inputs.obstacle_id();
                     if obstacle_id.heavy_obstacle {
                         return self.enter_stop(robot);
                     }
-                    // 2: after 4 s      -> forward (obstacle_manipulation.msd:21)
+                    // 2: after 4 s      -> forward (obstacle_manipulation.msd:25)
                     if *elapsed >= 4_000_000_000 {
                         return self.enter_forward(robot);
                     }

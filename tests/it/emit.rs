@@ -23,9 +23,15 @@ static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| cases(&Options::default(), 
 
 fn cases(options: &Options, seeds: impl IntoIterator<Item = u64>) -> Vec<Case> {
     let files = [files_below("stdlib", &["msd", "fsfn"]), files_below("examples", &["msd", "fsfn"])].concat();
-    let files = files.into_iter().filter_map(|path| {
+    let files = files.into_iter().flat_map(|path| {
         let analysis = analyze_path(&path);
-        analysis.rust(options).is_ok().then(|| Case::new(&path, &analysis, options))
+        let robots: Vec<_> = match analysis.plans(None) {
+            Err(NotCompiled::Ambiguous(_, robots)) => robots.into_iter().map(Some).collect(),
+            _ => vec![None],
+        };
+        let options = robots.into_iter().map(|robot| Options { robot, ..options.clone() });
+        let options = options.filter(|options| analysis.rust(options).is_ok());
+        options.map(|options| Case::new(&path, &analysis, &options)).collect::<Vec<_>>()
     });
     let random = seeds.into_iter().map(|seed| {
         let (fusion, modes) = program(seed);

@@ -6,7 +6,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use lmslc::driver::Analysis;
+use lmslc::driver::{Analysis, Plans};
 use lmslc::emit::Options;
 use lmslc::interp::{Actuators, Evaluator, Inputs, Machine, Reading};
 use lmslc::plan::{self, NetworkPlan, Plan, Step};
@@ -24,20 +24,11 @@ pub struct Case {
 }
 
 impl Case {
-    /// The roots of an analysis without errors; `networks` and `diagrams` whose module stands in the emitted code.
+    /// What is compiled of an analysis without errors.
     pub fn new(title: &str, analysis: &Analysis, options: &Options) -> Self {
-        let checked = analysis.checked().unwrap_or_else(|| panic!("{title}\n{}", crate::support::report(analysis)));
         let code = analysis.rust(options).unwrap();
-        let program = &analysis.program;
-        let emitted = |name: &str| code.contains(&format!("\npub mod {name} {{"));
-        let networks = program.networks.ids().map(|id| plan::build_network(checked, id));
-        let diagrams = program.diagrams.iter().map(|(id, diagram)| plan::build_on(checked, id, diagram.platform, &[]));
-        Self {
-            title: title.to_owned(),
-            networks: networks.filter(|plan| emitted(&plan.name)).collect(),
-            diagrams: diagrams.filter(|plan| emitted(&plan.name)).collect(),
-            code,
-        }
+        let Plans { networks, diagrams } = analysis.plans(options.robot.as_deref()).unwrap();
+        Self { title: title.to_owned(), code, networks, diagrams }
     }
 
     /// Bodies of functions that run each plan on unknown numbers, without `std`.

@@ -86,8 +86,11 @@ fn replay_all(analysis: &Analysis, diagram: Id<ir::Diagram>, table: &[Facts]) ->
 
 #[test]
 fn every_transition_that_is_shown_is_taken_by_the_machine() {
-    for name in ["obstacle_avoidance", "obstacle_manipulation"] {
-        let (analysis, diagram, table) = library(name, 3);
+    let on_j5 = "import std.behaviors.obstacle_avoidance
+import std.robots.j5
+behavior avoidance on j5 extends obstacle_avoidance {}";
+    let avoidance = named(analyze_texts(&[("main.msd", on_j5)]), "avoidance", 3);
+    for (analysis, diagram, table) in [avoidance, library("obstacle_manipulation", 3)] {
         let healthy = &table[0];
         assert!(healthy.modes.iter().all(|mode| mode.trace.is_some()), "every mode has a trace");
         assert!(replay_all(&analysis, diagram, &table) > 40);

@@ -1,9 +1,9 @@
 //! What failed sensors do to a program, in the words of the fault table and of the checker.
 
 use lmslc::analysis::fault_table;
-use lmslc::driver::{Analysis, Options, analyze};
+use lmslc::driver::{Analysis, Files, Options, analyze};
 
-use crate::support::{Repository, analyze_path, analyze_texts, doubts, report};
+use crate::support::{Memory, Repository, analyze_path, analyze_texts, doubts, report};
 
 /// The sentences of a program's fault table.
 fn sentences(analysis: &Analysis, up_to: usize) -> Vec<String> {
@@ -133,26 +133,29 @@ fn a_mode_for_a_failure_is_reached_with_it_alone() {
 }
 
 /// What the checker doubts with at most so many failed sensors.
-fn doubtful(path: &str, faults: usize) -> Vec<(&'static str, String)> {
+fn doubtful(files: &dyn Files, path: &str, faults: usize) -> Vec<(&'static str, String)> {
     let options = Options { faults, ..Options::default() };
-    let analysis = analyze(&Repository, &[path.to_owned()], &options);
+    let analysis = analyze(files, &[path.to_owned()], &options);
     doubts(&analysis).iter().map(|finding| (finding.rule.name, finding.message.clone())).collect()
 }
 
 #[test]
 fn more_failed_sensors_are_looked_at_when_asked() {
-    let avoidance = "stdlib/behaviors/obstacle_avoidance.msd";
-    assert_eq!(doubtful(avoidance, 1), []);
+    let text = Repository.read("stdlib/behaviors/obstacle_avoidance.msd").unwrap();
+    let text = text.replace("std.interfaces.alert_base", "std.robots.j5").replace("alert_base", "j5");
+    let files = Memory::new(&[("avoidance.msd", &text)]);
+    let doubtful = |faults| doubtful(&files, "avoidance.msd", faults);
+    assert_eq!(doubtful(1), []);
     let caught = "the machine can never leave `forward` with `contact_force` failed at 0 N, and \
         `left_wheel_acceleration` or `right_wheel_acceleration` failed at 0 m/s^2";
-    let found = doubtful(avoidance, 2);
+    let found = doubtful(2);
     assert!(found.contains(&("trapped-by-failure", caught.to_owned())), "{found:?}");
     // Larger sets say nothing that smaller ones do not.
-    assert_eq!(doubtful(avoidance, 3), found);
+    assert_eq!(doubtful(3), found);
 }
 
 /// A comment that explains a finding about failures is no idle one where failures are not looked at.
 #[test]
 fn nothing_is_said_of_failures_when_none_is_asked_for() {
-    assert_eq!(doubtful("stdlib/behaviors/obstacle_manipulation.msd", 0), []);
+    assert_eq!(doubtful(&Repository, "stdlib/behaviors/obstacle_manipulation.msd", 0), []);
 }

@@ -68,7 +68,7 @@ fn grouped(plan: &Plan, values: [f64; 6], failed: &[usize]) -> Vec<f64> {
     let mut machine = Machine::new(plan, 1);
     let readings = readings(values, failed);
     machine.step(Inputs { readings: &readings, done: false }, 0, &mut Log::default());
-    plan.logical.iter().map(|logical| machine.real(logical.value)).collect()
+    plan.logical.iter().map(|of| machine.value(of.value)).collect()
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn a_robot_knows_its_widest_opening_and_a_broken_beam_shuts_none() {
         let reading = |(place, value): (usize, f64)| Reading { value, healthy: !failed.contains(&place) };
         let readings: Vec<_> = values.into_iter().enumerate().map(reading).collect();
         machine.step(Inputs { readings: &readings, done: false }, 0, &mut Log::default());
-        plan.logical.iter().map(|of| machine.real(of.value).to_degrees().round()).collect()
+        plan.logical.iter().map(|of| machine.value(of.value).to_degrees().round()).collect()
     };
     // Open at 15, 45 and 75 degrees ahead, and all around but for two.
     let mut values = [9.0; 12];

@@ -9,6 +9,7 @@ mod charts;
 mod ci;
 mod cli;
 mod columns;
+mod contacts;
 mod corpus;
 mod crisp;
 mod defects;

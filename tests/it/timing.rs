@@ -107,7 +107,7 @@ fn a_known_failure_is_read_at_once() {
     let mut machine = Machine::new(&plan, 1);
     let mut read = |value, healthy| {
         machine.step(Inputs { readings: &[Reading { value, healthy }], done: false }, 60_000_000, &mut Unheard);
-        machine.real(plan.logical[0].value)
+        machine.value(plan.logical[0].value)
     };
     assert_eq!([read(2.0, true), read(3.0, true), read(2.0, false)], [2.0, 2.5, 5.0]);
     // What is no number counts as failed, what is out of range is clamped.

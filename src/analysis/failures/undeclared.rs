@@ -15,11 +15,6 @@ pub(in crate::analysis) fn check_robot(program: &Program, robot: &Robot, finding
         sensor.fails.is_empty() && !sensor.is_inner()
     };
     let mut silent: BTreeSet<_> = robot.sensors.iter().copied().filter(says_nothing).collect();
-    // A logical sensor reads those it is of.
-    let members = |sensor: Id<Sensor>| match &program.sensors[sensor].group {
-        Some(group) => group.of.clone(),
-        None => vec![sensor],
-    };
     let fed = || {
         program.diagrams.values().flat_map(|diagram| &diagram.senses).flat_map(|sense| {
             let inputs = &program.networks[sense.network].inputs;
@@ -27,7 +22,7 @@ pub(in crate::analysis) fn check_robot(program: &Program, robot: &Robot, finding
                 .inputs
                 .iter()
                 .zip(inputs)
-                .flat_map(|(sensor, input)| members(*sensor).into_iter().map(|sensor| (sensor, input.variable)))
+                .flat_map(|(sensor, input)| program.members(*sensor).into_iter().map(|sensor| (sensor, input.variable)))
                 .map(|(sensor, variable)| (sensor, program.variables[variable].fails.as_slice()))
         })
     };
@@ -43,7 +38,7 @@ pub(in crate::analysis) fn check_robot(program: &Program, robot: &Robot, finding
     for diagram in program.diagrams.values() {
         let views = View::of_modes(program, diagram);
         let looks = views.iter().flat_map(|view| view.exits.iter().chain(&view.rows));
-        used.extend(looks.flat_map(|looks| &looks.compared).flat_map(|sensor| members(*sensor)));
+        used.extend(looks.flat_map(|looks| &looks.compared).flat_map(|sensor| program.members(*sensor)));
     }
     // The elements of an array are declared in one place.
     let mut found: Vec<_> = silent.intersection(&used).map(|sensor| &program.sensors[*sensor]).collect();

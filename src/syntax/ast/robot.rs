@@ -1,15 +1,17 @@
 //! Interfaces and robots.
 
-use super::{Call, Doc, Expr, FailReading, Name, Number, Path, Quantity, Range, Unit};
+use super::{Call, Doc, Expr, FailReading, Name, Number, Path, Quantity, Range, Sense, Unit};
 use crate::base::Span;
 
-/// `interface mobile_base { ... }`
+/// `interface mobile_base { ... }`, `interface feeling_base extends mobile_base { ... }`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interface {
     /// Its doc comment.
     pub doc: Option<Doc>,
     /// Its name.
     pub name: Name,
+    /// The interface that it takes over.
+    pub extends: Option<Name>,
     /// What it promises: actions, and sensors.
     pub items: Vec<RobotItem>,
     /// The whole declaration.
@@ -40,7 +42,9 @@ pub enum RobotItem {
     Body(Body),
     /// `sensor s: unit ...`
     Sensor(Sensor),
-    /// `logical front = min(...)`
+    /// `sense n(...)`: a network that its logical sensors look at
+    Sense(Sense),
+    /// `logical front = min(...)`, `logical blocked = front < 45 cm`
     Logical(Logical),
     /// `action a(...) = ...`
     Action(Action),
@@ -120,14 +124,14 @@ pub enum SensorClause {
     Beam(Quantity),
 }
 
-/// `logical front = min(sonar[21, 22, 23]) within 1 cm`
+/// `logical front = min(sonar[21, 22, 23]) within 1 cm`, `logical blocked = front < 45 cm`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Logical {
     /// Its doc comment.
     pub doc: Option<Doc>,
     /// Its name.
     pub name: Name,
-    /// How it follows from sensors.
+    /// How it follows from sensors: a group of them, or a condition.
     pub value: Expr,
     /// `within 1 cm` or `within 200 ms`: how exact its readings are to be, or how long they may take.
     pub within: Option<Quantity>,

@@ -53,7 +53,7 @@ impl Tree<'_> {
         }
     }
 
-    fn sense(&mut self, pair: Pair<'_>) -> Option<Sense> {
+    pub fn sense(&mut self, pair: Pair<'_>) -> Option<Sense> {
         let span = self.span(&pair);
         let mut parts = Parts::of(pair);
         let alias = match parts.take(Rule::alias) {

@@ -47,7 +47,7 @@ impl Block {
             Self::Terms | Self::Commands | Self::Decide => &[],
             Self::Network => &["event", "output", "rule"],
             Self::Event => &["contributor", "detractor", "rule"],
-            Self::Robot => &["body", "sensor", "logical", "action", "optional"],
+            Self::Robot => &["body", "sensor", "sense", "logical", "action", "optional"],
             Self::Diagram => &["sense", "entry", "flag", "mode", "final"],
             Self::Mode => &["decide", "on"],
             Self::Arbiter => &["emergency", "client", "ties"],

@@ -18,7 +18,13 @@ impl Tree<'_> {
     /// An interface without its items.
     pub fn interface_head(&mut self, pair: Pair<'_>) -> Option<Interface> {
         let span = self.span(&pair);
-        Some(Interface { doc: self.doc(span), name: self.clause_name(pair)?, items: Vec::new(), span })
+        let mut parts = Parts::of(pair);
+        let name = self.next_name(&mut parts)?;
+        let extends = match parts.take(Rule::extends_clause) {
+            Some(clause) => Some(self.clause_name(clause)?),
+            None => None,
+        };
+        Some(Interface { doc: self.doc(span), name, extends, items: Vec::new(), span })
     }
 
     pub fn robot(&mut self, pair: Pair<'_>) -> Option<Robot> {
@@ -50,6 +56,7 @@ impl Tree<'_> {
         match item.as_rule() {
             Rule::body => self.body(item).map(RobotItem::Body),
             Rule::sensor => self.sensor(item).map(RobotItem::Sensor),
+            Rule::sense => self.sense(item).map(RobotItem::Sense),
             Rule::logical => self.logical(item).map(RobotItem::Logical),
             _ => self.action(item).map(RobotItem::Action),
         }

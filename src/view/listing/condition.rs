@@ -3,19 +3,25 @@
 use std::collections::HashMap;
 
 use crate::base::Id;
-use crate::ir::{Diagram, Expr, Op, Program};
+use crate::ir::{Diagram, Expr, Op, Program, Robot, Sense};
 use crate::view::sign;
 
 /// The texts of conditions that were asked for, and of their parts.
 pub(super) struct Conditions<'a> {
     program: &'a Program,
-    diagram: &'a Diagram,
+    senses: &'a [Sense],
+    /// What has the flags and modes; none for the conditions of a robot.
+    diagram: Option<&'a Diagram>,
     known: HashMap<Id<Expr>, String>,
 }
 
 impl<'a> Conditions<'a> {
     pub(super) fn new(program: &'a Program, diagram: &'a Diagram) -> Self {
-        Self { program, diagram, known: HashMap::new() }
+        Self { program, senses: &diagram.senses, diagram: Some(diagram), known: HashMap::new() }
+    }
+
+    pub(super) fn of_robot(program: &'a Program, robot: &'a Robot) -> Self {
+        Self { program, senses: &robot.senses, diagram: None, known: HashMap::new() }
     }
 
     pub(super) fn text(&mut self, condition: Id<Expr>) -> String {
@@ -36,13 +42,8 @@ impl<'a> Conditions<'a> {
 
     fn parts(&self, condition: Id<Expr>) -> Vec<Id<Expr>> {
         match &self.program.exprs[condition].op {
-            Op::Flag(flag) => vec![self.diagram.flags[*flag].condition],
-            Op::Count(of) | Op::Rising(of) | Op::Falling(of) | Op::Held(of, _) | Op::Latched(of) | Op::Not(of) => {
-                vec![*of]
-            }
-            Op::Compare(_, left, right) => vec![*left, *right],
-            Op::And(of) | Op::Or(of) => of.clone(),
-            _ => Vec::new(),
+            Op::Flag(flag) => self.diagram.iter().map(|diagram| diagram.flags[*flag].condition).collect(),
+            op => op.operands(),
         }
     }
 
@@ -58,13 +59,16 @@ impl<'a> Conditions<'a> {
             Op::Sensor(sensor) => self.program.sensors[*sensor].symbol.name.clone(),
             Op::Failed(sensor) => format!("failed({})", self.program.sensors[*sensor].symbol.name),
             Op::Event { sense, event } => {
-                let sense = &self.diagram.senses[*sense as usize];
+                let sense = &self.senses[*sense as usize];
                 let event = &self.program.networks[sense.network].events[*event as usize];
                 format!("{}.{}", sense.symbol.name, event.symbol.name)
             }
-            Op::Flag(flag) => known(&self.diagram.flags[*flag].condition).to_owned(),
-            Op::InMode(mode) => format!("mode is {}", self.diagram.modes[*mode].symbol.name),
-            Op::Inside(path) => self.program.inside(self.diagram, path),
+            Op::Flag(_) => self.parts(condition).first().map_or("?", known).to_owned(),
+            Op::InMode(mode) => {
+                let mode = self.diagram.map_or("?", |diagram| &diagram.modes[*mode].symbol.name);
+                format!("mode is {mode}")
+            }
+            Op::Inside(path) => self.diagram.map_or_else(|| "?".to_owned(), |of| self.program.inside(of, path)),
             Op::After(duration) => format!("after {duration} ns"),
             Op::Done => "done".to_owned(),
             Op::Count(of) => format!("count({})", known(of)),

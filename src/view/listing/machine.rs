@@ -4,7 +4,7 @@ use super::Lines;
 use super::condition::Conditions;
 use super::fusion::fails;
 use crate::base::Id;
-use crate::ir::{Argument, Call, Diagram, Group, Layer, Platform, Program, Robot, Sense, Sensor};
+use crate::ir::{Argument, Call, Diagram, Group, Kept, Layer, Platform, Program, Robot, Sense, Sensor};
 
 pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
     let provides: Vec<_> = robot.provides.iter().map(|id| program.interfaces[*id].symbol.name.as_str()).collect();
@@ -20,16 +20,20 @@ pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
         let rest = format!("{}{noise}{period}", fails(ways));
         lines.add(1, format_args!("{optional}sensor {}: {unit} in {low} .. {high}{rest}", symbol.name));
     }
+    senses(lines, program, &robot.senses);
+    let mut conditions = Conditions::of_robot(program, robot);
     for id in &robot.logical {
-        let Sensor { symbol, group, .. } = &program.sensors[*id];
-        let Some(Group { how, of, readings }) = group else { continue };
-        let of = of.iter().zip(readings).map(|(id, count)| {
-            let name = &program.sensors[*id].symbol.name;
-            if *count > 1 { format!("mean of {count} {name}") } else { name.clone() }
-        });
-        let of: Vec<_> = of.collect();
-        let how = format!("{how:?}").to_lowercase();
-        lines.add(1, format_args!("logical {} = {how} of {}", symbol.name, of.join(", ")));
+        let Sensor { symbol, group, kept, .. } = &program.sensors[*id];
+        if let Some(Group { how, of, readings }) = group {
+            let of = of.iter().zip(readings).map(|(id, count)| {
+                let name = &program.sensors[*id].symbol.name;
+                if *count > 1 { format!("mean of {count} {name}") } else { name.clone() }
+            });
+            let (how, of) = (format!("{how:?}").to_lowercase(), of.collect::<Vec<_>>().join(", "));
+            lines.add(1, format_args!("logical {} = {how} of {of}", symbol.name));
+        } else if let Some(Kept { condition, .. }) = kept {
+            lines.add(1, format_args!("logical {} = {}", symbol.name, conditions.text(*condition)));
+        }
     }
     for id in &robot.actions {
         let action = &program.actions[*id];
@@ -38,6 +42,18 @@ pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
         let done = if action.reports_done { " -> done" } else { "" };
         let parameters = parameters.collect::<Vec<_>>().join(", ");
         lines.add(1, format_args!("action {}({parameters}){done}", action.symbol.name));
+    }
+}
+
+fn sensors(program: &Program, ids: impl Iterator<Item = Id<Sensor>>) -> String {
+    ids.map(|id| program.sensors[id].symbol.name.as_str()).collect::<Vec<_>>().join(", ")
+}
+
+fn senses(lines: &mut Lines, program: &Program, senses: &[Sense]) {
+    for sense in senses {
+        let network = &program.networks[sense.network].symbol.name;
+        let alias = if *network == sense.symbol.name { String::new() } else { format!("{} = ", sense.symbol.name) };
+        lines.add(1, format_args!("sense {alias}{network}({})", sensors(program, sense.inputs.iter().copied())));
     }
 }
 
@@ -51,15 +67,8 @@ pub(super) fn diagram(lines: &mut Lines, program: &Program, diagram: &Diagram) {
         Platform::Robot(robot) => &program.robots[robot].symbol.name,
         Platform::Interface(interface) => &program.interfaces[interface].symbol.name,
     };
-    let sensors = |ids: &mut dyn Iterator<Item = Id<Sensor>>| {
-        ids.map(|id| program.sensors[id].symbol.name.as_str()).collect::<Vec<_>>().join(", ")
-    };
     lines.head(format_args!("{layer} {} on {platform}", diagram.symbol.name));
-    for sense in &diagram.senses {
-        let network = &program.networks[sense.network].symbol.name;
-        let alias = if *network == sense.symbol.name { String::new() } else { format!("{} = ", sense.symbol.name) };
-        lines.add(1, format_args!("sense {alias}{network}({})", sensors(&mut sense.inputs.iter().copied())));
-    }
+    senses(lines, program, &diagram.senses);
     if let Some(entry) = diagram.entry {
         lines.add(1, format_args!("entry {}", diagram.modes[entry].symbol.name));
     }
@@ -68,7 +77,7 @@ pub(super) fn diagram(lines: &mut Lines, program: &Program, diagram: &Diagram) {
         let last = if mode.is_final { "final " } else { "" };
         let mut head = format!("{last}mode {}", mode.symbol.name);
         if !mode.requires.is_empty() {
-            head += &format!(" requires {}", sensors(&mut mode.requires.iter().map(|(sensor, _)| *sensor)));
+            head += &format!(" requires {}", sensors(program, mode.requires.iter().map(|(sensor, _)| *sensor)));
         }
         if let Some(otherwise) = mode.otherwise {
             head += &format!(" else {}", diagram.modes[otherwise].symbol.name);

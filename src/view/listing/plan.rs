@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::Lines;
-use crate::plan::{Call, Code, Input, NetworkPlan, Plan, Step};
+use crate::plan::{Call, Code, Input, NetworkPlan, Plan, Step, Value};
 
 /// What is run and compiled, step by step. `reals` and `bools` are numbered apart.
 pub fn plans(networks: &[NetworkPlan], diagrams: &[Plan]) -> String {
@@ -43,7 +43,10 @@ fn diagram(lines: &mut Lines, plan: &Plan) {
         steps(lines, 2, &plan.code, of.clone());
     }
     for logical in &plan.logical {
-        lines.add(1, format_args!("logical {}: real {}", logical.name, logical.value));
+        match logical.value {
+            Value::Truth(value) => lines.add(1, format_args!("logical {}: bool {value}", logical.name)),
+            Value::Number(value) => lines.add(1, format_args!("logical {}: real {value}", logical.name)),
+        }
     }
     for event in &plan.events {
         let (contributor, detractor) = (event.contributor, event.detractor);

@@ -1,14 +1,15 @@
 import std.behaviors.obstacle_avoidance
+import std.robots.j5
 
 /// A mode, a flag and the entry are replaced; everything else is taken over.
-behavior quick extends obstacle_avoidance {
+behavior quick on j5 extends obstacle_avoidance {
     flag pressed = contact_force > 100 N
 
     entry forward
 
     mode forward {
         drive(40 cm/s)
-        1: forward_collision -> stop
+        1: blocked -> stop
         2: pressed           -> init
     }
 }
@@ -18,7 +19,7 @@ behavior quicker extends quick {
 
     mode forward {
         drive(60 cm/s)
-        1: forward_collision or pressed -> stop
+        1: blocked or pressed -> stop
         2: after 60 s                   -> init
     }
 }

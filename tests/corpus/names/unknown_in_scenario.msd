@@ -16,5 +16,5 @@ scenario four runs obstacle_avoidance on j5 in hallway { //~ error LM0201
     fail force from 2 s //~ error LM0201
     expect modes init, foward //~ error LM0201
     expect forward -> halt within 1 s .. 2 s //~ error LM0201
-    expect never hevy_obstacle //~ error LM0201
+    expect never blokced //~ error LM0201
 }

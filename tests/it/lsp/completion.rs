@@ -114,7 +114,8 @@ fn modes_conditions_and_commands_are_offered_where_they_belong() {
     let mut mode = |written: &str| in_behavior(&mut client, "MODE", written);
     assert_eq!(mode("2: hard -> |"), ["again", "back", "go"]);
     assert_eq!(mode("2: hard -> ba|"), ["again", "back", "go"]);
-    assert_eq!(mode("2: failed(|"), ["contact_force", "left_wheel_acceleration", "right_wheel_acceleration"]);
+    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "right_wheel_acceleration", "too_heavy"];
+    assert_eq!(mode("2: failed(|"), sensors);
     assert_eq!(mode("2: bump.|"), ["bumped", "tilted"]);
     for half in ["2: |", "2: not |", "2: hard and |", "2: held(b|", "2: (hard or t|", "2: hard and (not t|"] {
         let conditions = mode(half);
@@ -133,7 +134,8 @@ fn modes_conditions_and_commands_are_offered_where_they_belong() {
     let mut body = |written: &str| in_behavior(&mut client, "BODY", written);
     assert_eq!(body("|"), ["entry", "final", "flag", "mode", "sense"]);
     assert_eq!(body("sense |"), ["bump"]);
-    assert_eq!(body("mode stop requires |"), ["contact_force", "left_wheel_acceleration", "right_wheel_acceleration"]);
+    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "right_wheel_acceleration", "too_heavy"];
+    assert_eq!(body("mode stop requires |"), sensors);
     assert_eq!(body("mode stop requires contact_force else |"), ["back", "go"]);
     assert!(body("flag f = |").contains(&"bumped".to_owned()));
     assert!(body("sense bump(|").contains(&"force: ".to_owned()));
@@ -164,6 +166,22 @@ fn a_decision_table_takes_terms_and_commands() {
 }
 
 #[test]
+fn a_robot_is_offered_what_it_has_and_senses() {
+    let mut client = Client::new(&[("r.msd", "")]);
+    let mut robot = |written: &str| {
+        let text = "import std.networks.obstacle_id\nrobot r {\n    sensor force: N in 0 .. 400 fails 0
+    sensor speed[2]: m/s^2 in -4 .. 4 fails 0\n    sense obstacle_id(speed[0], speed[1], force)\n    ";
+        offered(&mut client, "r.msd", &format!("{text}{written}\n}}\n"))
+    };
+    assert_eq!(robot("sense |"), ["obstacle_id"]);
+    for half in ["logical l = |", "logical l = force > 3 N and |", "logical l = not |"] {
+        let conditions = robot(half);
+        let all = ["force", "forward_collision", "heavy_obstacle", "failed"];
+        assert!(all.iter().all(|word| conditions.contains(&(*word).to_owned())), "{half}: {conditions:?}");
+    }
+}
+
+#[test]
 fn what_follows_a_behavior_speaks_of_it() {
     let mut client = Client::new(&[("lib/turns.msd", "robot other {}"), ("a.msd", "")]);
     let mut end = |written: &str| in_behavior(&mut client, "END", written);
@@ -172,14 +190,12 @@ fn what_follows_a_behavior_speaks_of_it() {
     assert_eq!(end("scenario s runs |"), ["wander"]);
     assert_eq!(end("scenario s runs wander { expect modes go, |"), ["back", "go"]);
     assert!(end("scenario s runs wander { expect never |").contains(&"back".to_owned()));
-    assert_eq!(
-        end("scenario s runs wander { fault |"),
-        ["contact_force", "left_wheel_acceleration", "right_wheel_acceleration"]
-    );
+    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "right_wheel_acceleration", "too_heavy"];
+    assert_eq!(end("scenario s runs wander { fault |"), sensors);
     assert!(end("property p: never |").contains(&"go".to_owned()));
     assert_eq!(end("import |"), ["a", "bump", "lib", "std"]);
     assert_eq!(end("import lib.|"), ["turns"]);
-    assert_eq!(end("import std.robots.|"), ["j5", "labmate"]);
+    assert_eq!(end("import std.robots.|"), ["j5", "labmate", "scout"]);
     assert!(client.leave());
 }
 

@@ -77,8 +77,8 @@ fn names_lead_to_their_declarations() {
     assert_eq!(lead("sense ", "bump"), "bump.fsfn:6:9", "the network");
     assert_eq!(lead("sense bump(", "force"), "bump.fsfn:6:14", "its input");
     assert_eq!(lead("impo", "rt bump"), "bump.fsfn:1:1", "a file");
-    assert_eq!(lead("on ", "j5"), "file:///library/std/robots/j5.msd:10:7", "the library");
-    assert_eq!(lead("(force: ", "contact_force"), "file:///library/std/robots/j5.msd:27:21");
+    assert_eq!(lead("on ", "j5"), "file:///library/std/robots/j5.msd:11:7", "the library");
+    assert_eq!(lead("(force: ", "contact_force"), "file:///library/std/robots/j5.msd:28:21");
     assert_eq!(lead("2 m)", ""), "", "no name");
     assert_eq!(lead("import std.", "robots"), "file:///library/std/robots/j5.msd:1:1");
     assert_eq!(lead("extends wander {\n    mode ", "go"), "wander.msd:7:10", "what it stands in the place of");

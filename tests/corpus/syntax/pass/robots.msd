@@ -8,6 +8,8 @@ interface mobile_base {
     sensor battery: V in 0 .. 15
 }
 interface nothing_at_all {}
+/// Feels as well.
+interface feeling_base extends mobile_base { sensor blocked: contact fails clear }
 
 /// Differential drive, force-sensing wedge.
 robot j5 provides mobile_base, nothing_at_all {
@@ -29,6 +31,9 @@ robot labmate {
     logical front = min(sonar[21, 22, 23, 0, 1, 2])
     /// all around
     logical around = max(sonar[0..11, 12 .. 23]) - 2 * -front
+    sense close_by = clearances(around, front)
+    /// Something is in the way.
+    logical blocked = front_bumper or front < 45 cm and not failed(front) or close_by.hit
     sensor front_bumper: contact fails set
     sensor back_bumper: contact fails clear = bumper.back
     action go_frwd(distance: inch)
