@@ -18,7 +18,7 @@ fn main() {
 /// A hall with so many tables of four straight sides each, 1.2 m by 0.8 m, in rows 4 m apart, and a crossing between
 /// them.
 fn hall(tables: u32) -> (Vec<ir::Wall>, ir::Placement) {
-    let wall = |corners: Vec<[f64; 2]>| ir::Wall { corners, span: Span::default() };
+    let wall = |corners: Vec<[f64; 2]>| ir::Wall { corners, is_door: false, span: Span::default() };
     let columns = f64::from(tables).sqrt().ceil() as u32;
     let length = f64::from(columns) * 4.0;
     let mut walls = vec![wall(vec![[0.0, 0.0], [length, 0.0], [length, length], [0.0, length], [0.0, 0.0]])];
@@ -101,7 +101,7 @@ fn body_alone(bencher: Bencher) {
 #[divan::bench(sample_size = 1_000)]
 fn body_along_a_wall(bencher: Bencher) {
     let program = rover();
-    let walls = vec![ir::Wall { corners: vec![[-10.0, 0.0], [1e6, 0.0]], span: Span::default() }];
+    let walls = vec![ir::Wall { corners: vec![[-10.0, 0.0], [1e6, 0.0]], is_door: false, span: Span::default() }];
     let mut robot = start(&program, (walls, ir::Placement::At { x: 0.0, y: 0.6, heading: 0.0 }), 1);
     robot.command(3, &[0.3, -0.01], true);
     (0..1_000).for_each(|_| robot.advance(TICK));

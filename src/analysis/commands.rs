@@ -24,12 +24,13 @@ pub(super) fn check(diagram: &Diagram, program: &Program, findings: &mut Vec<Dia
 /// Whether an action is kept by a command of the body, on whatever robot the diagram runs.
 fn moves_body(program: &Program, diagram: &Diagram, action: Id<Action>) -> bool {
     let action = &program.actions[action];
+    let moves = |action: &Action| action.command.as_ref().is_some_and(|command| command.kind.moves());
     let keeps = |robot: &Robot| {
         let mut own = robot.actions.iter().map(|own| &program.actions[*own]);
-        own.any(|own| own.symbol.name == action.symbol.name && own.command.is_some())
+        own.any(|own| own.symbol.name == action.symbol.name && moves(own))
     };
     match diagram.platform {
-        Platform::Robot(_) => action.command.is_some(),
+        Platform::Robot(_) => moves(action),
         Platform::Interface(interface) => {
             let mut robots = program.robots.values().filter(|robot| robot.provides.contains(&interface)).peekable();
             robots.peek().is_some() && robots.all(keeps)

@@ -49,6 +49,13 @@ pub struct Drive {
     pub parameters: Vec<String>,
 }
 
+impl BodyCommandKind {
+    /// Whether it is for the body to carry out, and not for its planner.
+    pub const fn moves(self) -> bool {
+        !matches!(self, Self::Plan | Self::NextWaypoint)
+    }
+}
+
 impl Action {
     /// Whether it is for the robot's drive to carry out, if the robot has one.
     pub fn is_driven(&self) -> bool {
@@ -246,6 +253,10 @@ pub enum SensorSource {
     Y,
     /// `pose.heading`, rad from -π to π, to the left of the x axis.
     Heading,
+    /// `planner.distance`, m from the middle of the robot to the temporary goal.
+    WaypointDistance,
+    /// `planner.bearing`, rad from -π to π, to the left of the robot's heading.
+    WaypointBearing,
     /// `goal.distance`, m from the middle of the robot to the world's goal.
     GoalDistance,
     /// `goal.bearing`, rad from -π to π, to the left of the robot's heading.
@@ -318,6 +329,10 @@ pub enum BodyCommandKind {
     Travel,
     /// `body.steer(speed m/s, angle rad)`, to the left for a positive angle
     Steer,
+    /// `planner.plan()`, from where the robot is to its goal
+    Plan,
+    /// `planner.next()`, the next temporary goal
+    NextWaypoint,
 }
 
 /// An argument of a body's command.

@@ -21,6 +21,8 @@ pub struct World {
 pub struct Wall {
     /// Its corners in m, at least two.
     pub corners: Vec<[f64; 2]>,
+    /// Whether it is a door that is shut.
+    pub is_door: bool,
     /// Where it is declared.
     pub span: Span,
 }

@@ -49,7 +49,7 @@ impl Lower<'_> {
         }
         *walls = pieces;
         if !door.is_open {
-            walls.push(ir::Wall { corners: door.ends.to_vec(), span: door.span });
+            walls.push(ir::Wall { corners: door.ends.to_vec(), is_door: true, span: door.span });
         }
     }
 }
@@ -80,7 +80,7 @@ fn cut(wall: &ir::Wall, door: &Door, pieces: &mut Vec<ir::Wall>) -> f64 {
 
 fn finish(wall: &ir::Wall, corners: &mut Vec<[f64; 2]>, pieces: &mut Vec<ir::Wall>) {
     if corners.len() > 1 {
-        pieces.push(ir::Wall { corners: corners.clone(), span: wall.span });
+        pieces.push(ir::Wall { corners: corners.clone(), ..*wall });
     }
     corners.clear();
 }

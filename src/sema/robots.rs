@@ -20,6 +20,8 @@ const COMMANDS: &[(&str, BodyCommandKind, &[Dimension])] = &[
     ("body.rotate", BodyCommandKind::Rotate, &[Dimension::ANGLE]),
     ("body.travel", BodyCommandKind::Travel, &[Dimension::LENGTH, Dimension::SPEED]),
     ("body.steer", BodyCommandKind::Steer, &[Dimension::SPEED, Dimension::ANGLE]),
+    ("planner.plan", BodyCommandKind::Plan, &[]),
+    ("planner.next", BodyCommandKind::NextWaypoint, &[]),
 ];
 
 impl<'a> Lower<'a> {

@@ -22,6 +22,8 @@ const SOURCES: &[(&str, SensorSource, Option<Dimension>)] = &[
     ("pose.x", SensorSource::X, Some(Dimension::LENGTH)),
     ("pose.y", SensorSource::Y, Some(Dimension::LENGTH)),
     ("pose.heading", SensorSource::Heading, Some(Dimension::ANGLE)),
+    ("planner.distance", SensorSource::WaypointDistance, Some(Dimension::LENGTH)),
+    ("planner.bearing", SensorSource::WaypointBearing, Some(Dimension::ANGLE)),
     ("goal.distance", SensorSource::GoalDistance, Some(Dimension::LENGTH)),
     ("goal.bearing", SensorSource::GoalBearing, Some(Dimension::ANGLE)),
 ];

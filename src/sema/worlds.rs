@@ -19,7 +19,7 @@ impl Lower<'_> {
                     let corners: Vec<_> = points.iter().map(|point| self.point(point)).collect();
                     let corners = corners.into_iter().collect::<Option<_>>();
                     has_all_walls &= corners.is_some();
-                    world.walls.extend(corners.map(|corners| ir::Wall { corners, span: *span }));
+                    world.walls.extend(corners.map(|corners| ir::Wall { corners, is_door: false, span: *span }));
                 }
                 ast::WorldItem::Box(item) => {
                     if let Some(name) = &item.name {

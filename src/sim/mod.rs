@@ -1,7 +1,7 @@
 //! Tries a plan on a simulated robot: bodies, sensors, worlds, faults, and what a scenario expects.
 //!
 //! Imports: base, diag, interp, ir, plan, trace
-//! Crates: nalgebra, rand_distr, rand_pcg, rstar
+//! Crates: nalgebra, pathfinding, rand_distr, rand_pcg, rstar
 
 mod body;
 mod car_like;
@@ -12,6 +12,7 @@ mod expect;
 #[cfg(test)]
 mod fixture;
 mod geometry;
+mod planner;
 mod random;
 mod record;
 mod ring;

@@ -283,7 +283,7 @@ mod tests {
     #[test]
     fn what_overlaps_at_the_start_is_refused() {
         let at = |x| Placement::At { x, y: 0.0, heading: 0.0 };
-        let wall = |x| ir::Wall { corners: vec![[x, -1.0], [x, 1.0]], span: Span::default() };
+        let wall = |x| ir::Wall { corners: vec![[x, -1.0], [x, 1.0]], is_door: false, span: Span::default() };
         let refused = |boxes: Vec<ir::BoxBody>, walls| {
             run(&program(J5), &plan(), &ir::Scenario { walls, boxes, ..scenario() }, &RunOptions::default())
                 .map_err(|error| error.to_string())

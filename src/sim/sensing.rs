@@ -3,6 +3,7 @@
 use nalgebra::Vector2;
 
 use super::body::Body;
+use super::planner::{Planner, Request};
 use super::random::{Purpose, Stream};
 use super::ring::Ring;
 use super::world::{End, World};
@@ -18,6 +19,7 @@ pub(super) struct Sensing<'a> {
     /// The instant at which each ring looked around last, in nanoseconds.
     looked: Vec<Option<u64>>,
     goal: Option<Vector2<f64>>,
+    planner: Option<Planner>,
     /// Faults in order, with the position of their sensor; readings stuck somewhere have been drawn.
     faults: Vec<(usize, ir::Fault)>,
     noise: Stream,
@@ -65,6 +67,12 @@ impl<'a> Sensing<'a> {
             Gauge { sensor, range, accuracy: sensor.accuracy.to_f64(), ring, value: None, due: 0 }
         };
         let sensors: Vec<_> = robot.sensors.iter().map(gauge).collect();
+        let is_planned = |gauge: &Gauge<'_>| {
+            matches!(gauge.sensor.source, Some(SensorSource::WaypointDistance | SensorSource::WaypointBearing))
+        };
+        let shape = world.robot();
+        let planner = sensors.iter().any(is_planned);
+        let planner = planner.then(|| Planner::new(scenario, shape.middle(), shape.half.norm()));
         let mut stream = Stream::new(seed, Purpose::Faults);
         let place = |fault: &ir::Fault| robot.sensors.iter().position(|&sensor| sensor == fault.sensor);
         let faults = faults.filter_map(|fault| Some((place(fault)?, fault.clone()))).map(|(sensor, mut fault)| {
@@ -79,6 +87,7 @@ impl<'a> Sensing<'a> {
             looked: vec![None; rings.len()],
             rings: rings.into_iter().map(|(ring, _)| ring).collect(),
             goal: scenario.goal.map(Vector2::from),
+            planner: planner.flatten(),
             noise: Stream::new(seed, Purpose::Sensors),
             readings: vec![Reading { value: f64::NAN, healthy: false }; sensors.len()],
             sensors,
@@ -98,7 +107,10 @@ impl<'a> Sensing<'a> {
                         }
                         Some(ring.distance(beam))
                     }
-                    Some(source) => measure(body, world, self.goal, source),
+                    Some(source) => {
+                        let waypoint = self.planner.as_ref().and_then(Planner::waypoint);
+                        measure(body, world, [self.goal, waypoint], source)
+                    }
                     None => None,
                 };
                 // Drawn whether or not a fault hides it, so that a fault leaves the noise of other sensors alone.
@@ -117,6 +129,7 @@ impl<'a> Sensing<'a> {
             }
             *reading = Reading { value: gauge.value.unwrap_or(f64::NAN), healthy: gauge.value.is_some() };
         }
+        self.learn(world, time);
         for (sensor, fault) in &self.faults {
             if fault.window.contains(time) {
                 self.readings[*sensor] = match fault.reading {
@@ -132,14 +145,38 @@ impl<'a> Sensing<'a> {
 }
 
 impl Sensing<'_> {
+    /// Asks the planner.
+    pub(super) fn plan(&mut self, request: Request, world: &World) {
+        if let Some(planner) = &mut self.planner {
+            planner.obey(request, world.robot().middle());
+        }
+    }
+
+    /// Tells the planner what was seen at `time`, as far as a beam tells where.
+    fn learn(&mut self, world: &World, time: u64) {
+        let Some(mut planner) = self.planner.take() else { return };
+        let exact = planner.exactness();
+        let seen =
+            self.seen(world, time).filter(|(gauge, distance, _)| distance * (gauge.sensor.beam / 2.0).sin() <= exact);
+        seen.for_each(|(_, _, place)| planner.learn(place));
+        self.planner = Some(planner);
+    }
+
     /// Where range sensors that were read at `time` met something, as they said, m.
     pub(super) fn hits(&self, world: &World, time: u64) -> impl Iterator<Item = [f64; 2]> {
+        self.seen(world, time).map(|(_, _, place)| place.into())
+    }
+
+    /// The range sensors that were read at `time` and met something: how far away, and where, m.
+    fn seen(&self, world: &World, time: u64) -> impl Iterator<Item = (&Gauge<'_>, f64, Vector2<f64>)> {
         let robot = world.robot();
         let seen = self.sensors.iter().filter(move |gauge| self.looked.get(gauge.ring) == Some(&Some(time)));
-        seen.filter_map(move |Gauge { sensor, range, ring, value, .. }| {
-            let (Some(SensorSource::Range { beam, .. }), Some(value)) = (sensor.source, *value) else { return None };
-            let place = robot.middle() + robot.pose.rotation * self.rings.get(*ring)?.place(beam, value);
-            (value < range.1).then_some([place.x, place.y])
+        seen.filter_map(move |gauge| {
+            let (Some(SensorSource::Range { beam, .. }), Some(value)) = (gauge.sensor.source, gauge.value) else {
+                return None;
+            };
+            let place = robot.middle() + robot.pose.rotation * self.rings.get(gauge.ring)?.place(beam, value);
+            (value < gauge.range.1).then_some((gauge, value, place))
         })
     }
 }
@@ -147,11 +184,20 @@ impl Sensing<'_> {
 /// What the beams of one ring have in common: how many there are, and how wide (rad) and far (m) they see.
 type Key = (u32, f64, f64);
 
-/// The true value at a place of the body, in SI; `None` where there is no goal, and of
+/// The true value at a place of the body, in SI; `None` where there is no goal or no temporary one, and of
 /// wheels that cannot be measured. Ranges are measured a ring at a time.
-fn measure(body: &Body<'_>, world: &World, goal: Option<Vector2<f64>>, source: SensorSource) -> Option<f64> {
+fn measure(
+    body: &Body<'_>,
+    world: &World,
+    [goal, waypoint]: [Option<Vector2<f64>>; 2],
+    source: SensorSource,
+) -> Option<f64> {
     let truth = |is_so| f64::from(u8::from(is_so));
     let middle = world.robot().middle();
+    let bearing = |place: Vector2<f64>| {
+        let way = world.robot().pose.rotation.inverse_transform_vector(&(place - middle));
+        way.y.atan2(way.x)
+    };
     let value = match source {
         // Told by the drive, and by an arbiter to each of its clients.
         SensorSource::Won
@@ -170,10 +216,9 @@ fn measure(body: &Body<'_>, world: &World, goal: Option<Vector2<f64>>, source: S
         SensorSource::Y => middle.y,
         SensorSource::Heading => world.robot().pose.rotation.angle(),
         SensorSource::GoalDistance => (goal? - middle).norm(),
-        SensorSource::GoalBearing => {
-            let way = world.robot().pose.rotation.inverse_transform_vector(&(goal? - middle));
-            way.y.atan2(way.x)
-        }
+        SensorSource::WaypointDistance => (waypoint? - middle).norm(),
+        SensorSource::GoalBearing => bearing(goal?),
+        SensorSource::WaypointBearing => bearing(waypoint?),
         SensorSource::Range { .. } => return None,
     };
     Some(value)

@@ -5,6 +5,7 @@ use nalgebra::Vector2;
 use super::body::{Body, Command};
 use super::drive::argument_of;
 use super::geometry::Rectangle;
+use super::planner::Request;
 use super::run::RunError;
 use super::sensing::Sensing;
 use super::walls::Walls;
@@ -41,7 +42,7 @@ impl<'a> Simulation<'a> {
         let world = build(parameters, scenario)?;
         let sensing = Sensing::new(program, scenario, &world, faults, seed);
         let commands = robot.actions.iter().map(|&action| program.actions[action].command.as_ref()).collect();
-        let driver = Driver { commands, body: Body::new(parameters, seed), given: false };
+        let driver = Driver { commands, body: Body::new(parameters, seed), given: false, asked: Vec::new() };
         Ok(Self { world, sensing, driver })
     }
 
@@ -63,6 +64,9 @@ impl<'a> Simulation<'a> {
 
     /// Moves on by one tick, in nanoseconds above 0.
     pub fn advance(&mut self, tick: u64) {
+        for request in self.driver.asked.drain(..) {
+            self.sensing.plan(request, &self.world);
+        }
         let substeps = tick.div_ceil(LONGEST_SUBSTEP);
         self.driver.body.advance(&mut self.world, tick as f64 / 1e9, substeps);
     }
@@ -83,6 +87,16 @@ pub(super) struct Driver<'a> {
     pub(super) body: Body<'a>,
     /// Whether a command was given on this tick.
     pub(super) given: bool,
+    /// What the planner has yet to do.
+    asked: Vec<Request>,
+}
+
+const fn request(kind: BodyCommandKind) -> Option<Request> {
+    match kind {
+        BodyCommandKind::Plan => Some(Request::Plan),
+        BodyCommandKind::NextWaypoint => Some(Request::Next),
+        _ => None,
+    }
 }
 
 impl Actuators for Driver<'_> {
@@ -91,7 +105,12 @@ impl Actuators for Driver<'_> {
         let argument = |position: usize| {
             meant.get(position).map_or(0.0, |argument: &BodyArgument| argument_of(*argument, arguments))
         };
+        // The planner is asked once, not on every tick of a mode.
+        if let (Some(request), true) = (request(*kind), start) {
+            self.asked.push(request);
+        }
         let command = match kind {
+            BodyCommandKind::Plan | BodyCommandKind::NextWaypoint => return,
             BodyCommandKind::Stop => Command::Stop,
             BodyCommandKind::Velocity => Command::Velocity { speed: argument(0), turn_rate: argument(1) },
             BodyCommandKind::Arc => {

@@ -127,7 +127,7 @@ fn scenario(program: &ir::Program, random: &mut Random) -> ir::Scenario {
     let mut scenario = ir::Scenario { start, ..program.scenarios[Id::new(0)].clone() };
     let can_start = |scenario: &ir::Scenario| Simulation::new(program, scenario, [].iter(), 0).is_ok();
     for corners in lines {
-        scenario.walls.push(ir::Wall { corners, span: Span::default() });
+        scenario.walls.push(ir::Wall { corners, is_door: false, span: Span::default() });
         if !can_start(&scenario) {
             scenario.walls.pop();
         }

@@ -67,6 +67,7 @@ fn of_action(
     let still = Motion { speed: 0.0, goes_on: false, is_straight: true, span };
     let unknown = Motion { is_straight: false, ..still };
     vec![match command.kind {
+        BodyCommandKind::Plan | BodyCommandKind::NextWaypoint => return Vec::new(),
         BodyCommandKind::Stop | BodyCommandKind::Rotate => still,
         BodyCommandKind::Arc => unknown,
         BodyCommandKind::Velocity | BodyCommandKind::Steer => match (argument(0), argument(1)) {
