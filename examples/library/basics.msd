@@ -81,5 +81,5 @@ scenario j5_looks_around runs turn on j5 in bare {
     duration 30 s
     place robot at (2 m, 3 m)
     expect look -> on_around within 1.9 s .. 2.1 s
-    expect on_around -> look within 3 s .. 7 s
+    expect on_around -> look within 3 s .. 12 s
 }

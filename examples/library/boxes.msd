@@ -7,8 +7,8 @@ scenario j5_pushes runs push on j5 {
     place box mass 30 kg size (0.4 m, 0.6 m) at 0.75 m ahead
     place box mass 90 kg size (0.4 m, 0.6 m) at 1.6 m ahead
     expect modes approach, push, back_up, turn_away
-    expect never too_heavy before 6 s
-    expect too_heavy
+    expect never overloaded before 6 s
+    expect overloaded
 }
 
 scenario scout_pushes runs push on scout {
@@ -16,6 +16,6 @@ scenario scout_pushes runs push on scout {
     place box mass 5 kg size (0.3 m, 0.3 m) at 0.75 m ahead
     place box mass 40 kg size (0.3 m, 0.3 m) at 1.3 m ahead
     expect modes approach, push, back_up, turn_away
-    expect never too_heavy before 6 s
-    expect too_heavy
+    expect never overloaded before 6 s
+    expect overloaded
 }

@@ -7,13 +7,13 @@ behavior push on pushing_base {
 
     mode approach {
         drive(20 cm/s)
-        1: too_heavy -> back_up
-        2: blocked   -> push
+        1: overloaded -> back_up
+        2: blocked    -> push
     }
     mode push {
         drive(15 cm/s)
-        1: too_heavy -> back_up
-        2: after 6 s -> back_up
+        1: overloaded -> back_up
+        2: after 6 s  -> back_up
     }
     mode back_up {
         drive(-15 cm/s)

@@ -3,5 +3,5 @@ import std.interfaces.alert_base
 /// A base that can push things, and tells when one is too heavy for it.
 interface pushing_base extends alert_base {
     /// What it pushes is too heavy.
-    sensor too_heavy: contact fails set
+    sensor overloaded: contact fails set
 }

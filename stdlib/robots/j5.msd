@@ -31,7 +31,7 @@ robot j5 provides pushing_base {
 
     /// It has run into something, as accelerations and force tell together.
     logical blocked = forward_collision
-    logical too_heavy = heavy_obstacle
+    logical overloaded = heavy_obstacle
 
     action halt() = body.stop()
     action drive(speed: m/s) = body.velocity(speed, 0 deg/s)

@@ -29,7 +29,7 @@ robot scout provides located_base, pushing_base {
     logical left = min(range[3..4])
     logical right = min(range[11..12])
     logical blocked = bumper or front < 25 cm
-    logical too_heavy = force > 60 N
+    logical overloaded = force > 60 N
 
     action halt() = body.stop()
     action drive(speed: m/s) = body.velocity(speed, 0 deg/s)

@@ -234,12 +234,19 @@ fn labmate_carries_out_its_commands_by_six_states() {
     let (id, _) = analysis.program.diagrams.iter().find(|(_, of)| of.symbol.name == "labmate_drive").unwrap();
     let plan = plan::build_alone(analysis.checked().unwrap(), id, &[]);
     let mut machine = Machine::new(&plan, 0);
-    let mut went = |command: &str, bumper: &str, done: bool| {
+    let mut went = |command: &str, near: &str, done: bool| {
         let number = plan.actions.iter().position(|action| action.name == command).map_or(0, |place| place + 1);
         let reading = |name: &str| match name {
             "command" => number as f64,
             "command.speed" => -0.2,
-            name => f64::from(u8::from(name == bumper)),
+            name if name.starts_with("sonar[") => {
+                if name == near {
+                    0.2
+                } else {
+                    2.0
+                }
+            }
+            name => f64::from(u8::from(name == near)),
         };
         let readings: Vec<_> =
             plan.inputs.iter().map(|input| Reading { value: reading(&input.name), healthy: true }).collect();
@@ -263,6 +270,10 @@ fn labmate_carries_out_its_commands_by_six_states() {
         ("go_frwd", "", "faulted"),
         ("reset", "", "idle"),
         ("drive", "", "backward"),
+        ("drive", "sonar[0]", "backward"),
+        ("drive", "sonar[11]", "idle"),
+        ("drive", "sonar[11]", "idle"),
+        ("go_bkwd", "sonar[11]", "backward"),
         ("stop", "", "idle"),
         ("go_frwd", "", "forward"),
         ("go_frwd", "front_bumper", "faulted"),

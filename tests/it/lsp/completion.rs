@@ -114,7 +114,7 @@ fn modes_conditions_and_commands_are_offered_where_they_belong() {
     let mut mode = |written: &str| in_behavior(&mut client, "MODE", written);
     assert_eq!(mode("2: hard -> |"), ["again", "back", "go"]);
     assert_eq!(mode("2: hard -> ba|"), ["again", "back", "go"]);
-    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "right_wheel_acceleration", "too_heavy"];
+    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "overloaded", "right_wheel_acceleration"];
     assert_eq!(mode("2: failed(|"), sensors);
     assert_eq!(mode("2: bump.|"), ["bumped", "tilted"]);
     for half in ["2: |", "2: not |", "2: hard and |", "2: held(b|", "2: (hard or t|", "2: hard and (not t|"] {
@@ -134,7 +134,7 @@ fn modes_conditions_and_commands_are_offered_where_they_belong() {
     let mut body = |written: &str| in_behavior(&mut client, "BODY", written);
     assert_eq!(body("|"), ["entry", "final", "flag", "mode", "sense"]);
     assert_eq!(body("sense |"), ["bump"]);
-    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "right_wheel_acceleration", "too_heavy"];
+    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "overloaded", "right_wheel_acceleration"];
     assert_eq!(body("mode stop requires |"), sensors);
     assert_eq!(body("mode stop requires contact_force else |"), ["back", "go"]);
     assert!(body("flag f = |").contains(&"bumped".to_owned()));
@@ -190,7 +190,7 @@ fn what_follows_a_behavior_speaks_of_it() {
     assert_eq!(end("scenario s runs |"), ["wander"]);
     assert_eq!(end("scenario s runs wander { expect modes go, |"), ["back", "go"]);
     assert!(end("scenario s runs wander { expect never |").contains(&"back".to_owned()));
-    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "right_wheel_acceleration", "too_heavy"];
+    let sensors = ["blocked", "contact_force", "left_wheel_acceleration", "overloaded", "right_wheel_acceleration"];
     assert_eq!(end("scenario s runs wander { fault |"), sensors);
     assert!(end("property p: never |").contains(&"go".to_owned()));
     assert_eq!(end("import |"), ["a", "bump", "lib", "std"]);
