@@ -1,6 +1,7 @@
 // Many obstacles (figs. 7.5 and 7.6): by the fuzzy navigator of Khatoon and Ibraheem
 // 2012, by the same as it is printed, and by a robot that seeks the open alone.
 
+import std.activities.hybrid_navigation
 import std.behaviors.fuzzy_navigation
 import std.behaviors.fuzzy_navigation_as_printed
 import std.behaviors.open_area_seeking
@@ -38,5 +39,15 @@ scenario many_obstacles_center_as_printed extends many_obstacles_center_locally 
 }
 
 scenario many_obstacles_center_in_the_open extends many_obstacles_center_locally runs open_area_seeking {
+    expect never front_bumper or back_bumper
+}
+
+scenario many_obstacles_right_by_plan extends many_obstacles_right_locally runs hybrid_navigation {
+    expect arrived
+    expect never front_bumper or back_bumper
+}
+
+scenario many_obstacles_center_by_plan extends many_obstacles_center_locally runs hybrid_navigation {
+    expect arrived
     expect never front_bumper or back_bumper
 }

@@ -1,6 +1,7 @@
 // A narrow corridor (figs. 7.3 and 7.4): by the fuzzy navigator of Khatoon and Ibraheem
 // 2012, by the same as it is printed, and by a robot that seeks the open alone.
 
+import std.activities.hybrid_navigation
 import std.behaviors.fuzzy_navigation
 import std.behaviors.fuzzy_navigation_as_printed
 import std.behaviors.open_area_seeking
@@ -38,5 +39,15 @@ scenario narrow_corridor_right_as_printed extends narrow_corridor_right_locally 
 }
 
 scenario narrow_corridor_right_in_the_open extends narrow_corridor_right_locally runs open_area_seeking {
+    expect never front_bumper or back_bumper
+}
+
+scenario narrow_corridor_left_by_plan extends narrow_corridor_left_locally runs hybrid_navigation {
+    expect arrived
+    expect never front_bumper or back_bumper
+}
+
+scenario narrow_corridor_right_by_plan extends narrow_corridor_right_locally runs hybrid_navigation {
+    expect arrived
     expect never front_bumper or back_bumper
 }

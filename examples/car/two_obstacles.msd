@@ -1,6 +1,7 @@
 // Two obstacles (figs. 7.1 and 7.2): by the fuzzy navigator of Khatoon and Ibraheem
 // 2012, by the same as it is printed, and by a robot that seeks the open alone.
 
+import std.activities.hybrid_navigation
 import std.behaviors.fuzzy_navigation
 import std.behaviors.fuzzy_navigation_as_printed
 import std.behaviors.open_area_seeking
@@ -38,5 +39,15 @@ scenario two_obstacles_left_as_printed extends two_obstacles_left_locally runs f
 }
 
 scenario two_obstacles_left_in_the_open extends two_obstacles_left_locally runs open_area_seeking {
+    expect never front_bumper or back_bumper
+}
+
+scenario two_obstacles_right_by_plan extends two_obstacles_right_locally runs hybrid_navigation {
+    expect arrived
+    expect never front_bumper or back_bumper
+}
+
+scenario two_obstacles_left_by_plan extends two_obstacles_left_locally runs hybrid_navigation {
+    expect arrived
     expect never front_bumper or back_bumper
 }

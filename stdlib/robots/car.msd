@@ -23,6 +23,10 @@ robot car {
     sensor goal_bearing: deg in -180 .. 180 fails 0 = goal.bearing noise 1 period 100 ms
     sensor goal_distance: m in 0 .. 200 fails 200 = goal.distance noise 0.1 period 100 ms
 
+    /// The temporary goal of the planner.
+    optional sensor waypoint_bearing: deg in -180 .. 180 fails 0 = planner.bearing noise 1 period 100 ms
+    optional sensor waypoint_distance: m in 0 .. 200 fails 200 = planner.distance noise 0.1 period 100 ms
+
     /// Gate-dir: where the widest open area ahead is, to the left.
     logical gate = widest(range[27..35, 0..8], beyond: 10 m)
     /// Obst-dist
@@ -32,6 +36,8 @@ robot car {
     /// Min-r
     logical right = min(range[21..32])
 
+    action plan() = planner.plan()
+    action next_waypoint() = planner.next()
     action halt() = body.stop()
     action drive(speed: m/s) = body.velocity(speed, 0 deg/s)
     action arc(speed: m/s, radius: m) = body.arc(speed, radius)

@@ -218,7 +218,7 @@ fn a_robot_that_is_warned_of_arrives() {
         let run = drive(&analysis, 0, f64::from(start) * 0.01, 1);
         values(&run, Signal::X(0)).iter().copied().fold(f64::MIN, f64::max)
     });
-    // At the wall, with half a length of 0.25 m.
+    // At the wall, with half a length of 0.25 m, or less than a tick of 15 mm before it, from which it comes back.
     let ends: Vec<f64> = ends.collect();
-    assert!(ends.iter().any(|end| *end > 2.7499), "{ends:?}");
+    assert!(ends.iter().any(|end| *end > 2.735), "{ends:?}");
 }

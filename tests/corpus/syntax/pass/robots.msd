@@ -29,6 +29,7 @@ robot labmate {
     body differential_drive { mass 30 size (0.8, 0.8) }
     sensor sonar[24]: m in 15 cm .. 10 m  fails 10 m  = ring.range  accuracy 2.5 cm  period 60 ms  beam 15 deg
     logical front = min(sonar[21, 22, 23, 0, 1, 2])
+    logical ahead = sonar[0] within 200 ms
     /// all around
     logical around = max(sonar[0..11, 12 .. 23]) - 2 * -front
     sense close_by = clearances(around, front)
