@@ -195,7 +195,7 @@ fn what_follows_a_behavior_speaks_of_it() {
     assert!(end("property p: never |").contains(&"go".to_owned()));
     assert_eq!(end("import |"), ["a", "bump", "lib", "std"]);
     assert_eq!(end("import lib.|"), ["turns"]);
-    assert_eq!(end("import std.robots.|"), ["j5", "labmate", "scout"]);
+    assert_eq!(end("import std.robots.|"), ["car", "j5", "labmate", "scout"]);
     assert!(client.leave());
 }
 
