@@ -20,7 +20,7 @@ activity hybrid_navigation on car {
         on enter { next_waypoint() }
         1: goal_distance < 1.5 m        -> arrived
         2: front_bumper or back_bumper  -> back_off
-        3: done                         -> again
+        3: done and goal_distance > 7 m -> again
         4: after 75 s                   -> plan
         5: failed(waypoint_distance)    -> plan
     }
