@@ -18,11 +18,11 @@ activity hybrid_navigation on car {
     /// To the next temporary goal.
     mode leg = to_waypoint {
         on enter { next_waypoint() }
-        1: goal_distance < 1.5 m        -> arrived
-        2: front_bumper or back_bumper  -> back_off
-        3: done                         -> again
-        4: after 75 s                   -> plan
-        5: failed(waypoint_distance)    -> plan
+        1: goal_distance < 1.5 m       -> arrived
+        2: front_bumper or back_bumper -> back_off
+        3: done                        -> again
+        4: after 75 s                  -> plan
+        5: failed(waypoint_distance)   -> plan
     }
     /// Off what it has touched.
     mode back_off = reverse {
