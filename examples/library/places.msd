@@ -24,3 +24,10 @@ world corridor {
     wall (0 m, 0 m) -> (8 m, 0 m) -> (12 m, 1.5 m) -> (18 m, 1.5 m) -> (18 m, 3.9 m) -> (12 m, 3.9 m)
         -> (8 m, 2.4 m) -> (0 m, 2.4 m) -> (0 m, 0 m)
 }
+
+/// A room with a pocket in the way to the goal.
+world pocket {
+    wall (0 m, 0 m) -> (10 m, 0 m) -> (10 m, 8 m) -> (0 m, 8 m) -> (0 m, 0 m)
+    wall (3.5 m, 2.2 m) -> (6.5 m, 2.2 m) -> (6.5 m, 5.8 m) -> (3.5 m, 5.8 m)
+    goal (8.5 m, 4 m)
+}

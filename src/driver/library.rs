@@ -5,10 +5,11 @@ use crate::diag::{Diagnostic, rules};
 
 /// Every file of the standard library: its path, and its text. `std/robots/j5.msd` is imported as `std.robots.j5`.
 pub const LIBRARY: &[(&str, &str)] = &[
-    (
-        "std/activities/hybrid_navigation.msd",
-        include_str!("../../stdlib/activities/hybrid_navigation.msd"),
-    ),
+    ("std/activities/clear_area.msd", include_str!("../../stdlib/activities/clear_area.msd")),
+    ("std/activities/hybrid_navigation.msd", include_str!("../../stdlib/activities/hybrid_navigation.msd")),
+    ("std/activities/patrol_area.msd", include_str!("../../stdlib/activities/patrol_area.msd")),
+    ("std/activities/return_home.msd", include_str!("../../stdlib/activities/return_home.msd")),
+    ("std/activities/search.msd", include_str!("../../stdlib/activities/search.msd")),
     ("std/behaviors/arc.msd", include_str!("../../stdlib/behaviors/arc.msd")),
     ("std/behaviors/back_and_forth.msd", include_str!("../../stdlib/behaviors/back_and_forth.msd")),
     ("std/behaviors/collision_avoidance.msd", include_str!("../../stdlib/behaviors/collision_avoidance.msd")),

@@ -84,11 +84,14 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether a diagram runs on a robot, or on whatever keeps an interface.
+    /// Whether a diagram runs on a robot, or on whatever keeps an interface and with it those that this one extends.
     pub(super) fn runs_on(&self, diagram: Id<ir::Diagram>, on: Platform) -> bool {
         match (self.program.diagrams[diagram].platform, on) {
             (Platform::Interface(interface), Platform::Robot(robot)) => {
                 self.program.robots[robot].provides.contains(&interface)
+            }
+            (Platform::Interface(interface), Platform::Interface(on)) => {
+                self.with_extended(std::iter::once(on)).contains(&interface)
             }
             (own, on) => own == on,
         }

@@ -13,7 +13,7 @@ behavior push on pushing_base {
     mode push {
         drive(15 cm/s)
         1: overloaded -> back_up
-        2: after 6 s  -> back_up
+        2: after 30 s -> back_up
     }
     mode back_up {
         drive(-15 cm/s)
