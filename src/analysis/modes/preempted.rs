@@ -1,9 +1,9 @@
 //! Transitions of inner layers that an outer layer always forestalls.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use super::examined::{concerning, examine};
-use super::flat::{Flat, Leaf, flatten};
+use super::flat::{Leaf, flatten};
 use super::formula::{Atom, Formula};
 use super::ticks::Scene;
 use crate::base::{Id, Span};
@@ -20,31 +20,33 @@ pub(in crate::analysis) fn check(program: &Program, id: Id<Diagram>, findings: &
     }
     let Some(flat) = flatten(program, id, &[]) else { return };
     let scene = Scene::new(&flat.program, &flat.program.diagrams[flat.diagram]);
-    let mut alone: HashMap<Id<Diagram>, Option<Flat>> = HashMap::new();
     // What is taken or not in some mode, by the outer mode and by where it stands.
     let (mut dead, mut live): (BTreeSet<(Id<Mode>, Span)>, BTreeSet<_>) = Default::default();
-    for (leaf, mode) in flat.leaves.iter().zip(scene.diagram.modes.values()) {
-        let Some((outer, rest)) = leaf.path.split_first() else { continue };
-        let Some(run) = diagram.modes[*outer].runs else { continue };
-        let named = |depth: usize, index: usize| {
-            let place = leaf.exits.iter().position(|from| *from == (depth, Some(index)))?;
-            Some((*outer, mode.transitions[place].span))
-        };
-        if !concern_each_other(&scene, leaf, mode) {
-            let inner = leaf.exits.iter().filter(|(depth, _)| *depth > 0);
-            live.extend(inner.filter_map(|(depth, index)| named(*depth, (*index)?)));
+    let leaves: Vec<_> = flat.leaves.iter().zip(scene.diagram.modes.values()).collect();
+    for within in leaves.chunk_by(|(one, _), (next, _)| one.path.first() == next.path.first()) {
+        let Some(&outer) = within.first().and_then(|(leaf, _)| leaf.path.first()) else { continue };
+        let Some(alone) = diagram.modes[outer].runs.and_then(|run| flatten(program, run.diagram, &[])) else {
             continue;
-        }
-        let alone = alone.entry(run.diagram).or_insert_with(|| flatten(program, run.diagram, &[]));
-        let before = alone.as_ref().and_then(|alone| {
-            let place = alone.leaves.iter().position(|leaf| leaf.path == rest)?;
-            let scene = Scene::new(&alone.program, &alone.program.diagrams[alone.diagram]);
-            taken(&scene, &alone.leaves[place], &scene.diagram.modes[Id::new(place as u32)])
-        });
-        let here = before.as_ref().and_then(|_| taken(&scene, leaf, mode));
-        for (depth, index) in before.unwrap_or_default() {
-            let lives = here.as_ref().is_none_or(|here| here.contains(&(depth + 1, index)));
-            if lives { &mut live } else { &mut dead }.extend(named(depth + 1, index));
+        };
+        let alone_scene = Scene::new(&alone.program, &alone.program.diagrams[alone.diagram]);
+        for (leaf, mode) in within {
+            let named = |depth: usize, index: usize| {
+                let place = leaf.exits.iter().position(|from| *from == (depth, Some(index)))?;
+                Some((outer, mode.transitions[place].span))
+            };
+            if !concern_each_other(&scene, leaf, mode) {
+                let inner = leaf.exits.iter().filter(|(depth, _)| *depth > 0);
+                live.extend(inner.filter_map(|(depth, index)| named(*depth, (*index)?)));
+                continue;
+            }
+            let before = alone.leaves.iter().zip(alone_scene.diagram.modes.values());
+            let mut before = before.filter(|(inner, _)| leaf.path[1..] == inner.path);
+            let before = before.next().and_then(|(inner, mode)| taken(&alone_scene, inner, mode));
+            let here = before.as_ref().and_then(|_| taken(&scene, leaf, mode));
+            for (depth, index) in before.unwrap_or_default() {
+                let lives = here.as_ref().is_none_or(|here| here.contains(&(depth + 1, index)));
+                if lives { &mut live } else { &mut dead }.extend(named(depth + 1, index));
+            }
         }
     }
     for (mode, transition) in dead.difference(&live) {
