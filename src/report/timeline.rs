@@ -28,7 +28,7 @@ pub fn timeline(outcome: &Outcome<'_>, width: usize, color: bool) -> String {
     let trace = outcome.trace;
     let paint = Paint { color };
     let entered = trace.entered();
-    let decimals = decimals(entered.iter().map(|(change, _)| change.time));
+    let decimals = decimals(&entered.iter().map(|(change, _)| change.time));
     let rows: Vec<Row<'_>> = entered.into_iter().map(|(change, mode)| row(change, mode, decimals)).collect();
     let mut out = String::new();
     let duration = trace.times.last().map_or(0.0, |&time| seconds(time));
@@ -98,7 +98,7 @@ fn row<'a>(change: &ModeChange, mode: &'a str, decimals: usize) -> Row<'a> {
 }
 
 /// The decimals that tell all times exactly, from two to six.
-fn decimals(times: impl Iterator<Item = u64> + Clone) -> usize {
+fn decimals(times: &(impl Iterator<Item = u64> + Clone)) -> usize {
     let exact = |decimals: u32| times.clone().all(|time| time % 10_u64.pow(9 - decimals) == 0);
     (2..6).find(|&decimals| exact(decimals)).unwrap_or(6) as usize
 }

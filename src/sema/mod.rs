@@ -176,7 +176,7 @@ impl<'a> Lower<'a> {
                     (Phase::Robots, ast::Item::Robot(robot)) => self.robot(robot),
                     (Phase::Worlds, ast::Item::World(world)) => self.world(world),
                     (Phase::Diagrams(layer), ast::Item::Diagram(diagram)) if diagram.layer == layer => {
-                        self.diagram(diagram)
+                        self.diagram(diagram);
                     }
                     (Phase::Properties, ast::Item::Property(property)) => self.property(property),
                     (Phase::Scenarios, ast::Item::Scenario(scenario)) => self.scenario(scenario),

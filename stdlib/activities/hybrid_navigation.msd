@@ -16,7 +16,7 @@ activity hybrid_navigation on car {
         1: done -> leg
     }
     /// To the next temporary goal.
-    mode leg = to_waypoint {
+    mode leg = seek_waypoint {
         on enter { next_waypoint() }
         1: goal_distance < 1.5 m        -> arrived
         2: front_bumper or back_bumper  -> back_off
@@ -32,7 +32,7 @@ activity hybrid_navigation on car {
 }
 
 /// To a temporary goal as to a goal.
-behavior to_waypoint on car {
+behavior seek_waypoint on car {
     sense navigator(waypoint_bearing, gate, nearest, left, right)
 
     entry navigate

@@ -27,8 +27,11 @@ pub struct Leaf {
     pub path: Vec<Id<Mode>>,
     /// For each of its transitions the layer it is of, from 0 inward, and its position in the mode of that layer; `None`
     /// where it is the way out of a mode whose required sensor has failed.
-    pub exits: Vec<(usize, Option<usize>)>,
+    pub exits: Vec<Origin>,
 }
+
+/// The layer that a transition is of, and its position there.
+pub type Origin = (usize, Option<usize>);
 
 /// More modes than this are not looked into.
 const MOST_LEAVES: usize = 1 << 12;
@@ -135,7 +138,7 @@ impl<'a> Flattening<'a> {
     }
 
     /// A mode, and where its transitions come from.
-    fn leaf(&mut self, path: &[Id<Mode>]) -> Option<(Mode, Vec<(usize, Option<usize>)>)> {
+    fn leaf(&mut self, path: &[Id<Mode>]) -> Option<(Mode, Vec<Origin>)> {
         let layers = self.layers(path);
         let (_, innermost) = *layers.last()?;
         let (mut transitions, mut from) = (Vec::new(), Vec::new());
@@ -147,7 +150,7 @@ impl<'a> Flattening<'a> {
                 let failed: Vec<_> = failed.collect();
                 let failed = failed.into_iter().map(|(op, span)| self.truth(op, span)).collect();
                 let condition = self.truth(Op::Or(failed), mode.symbol.span);
-                transitions.push(self.exit(condition, *self.enters(&inside(otherwise))?.first()?, mode.symbol.span));
+                transitions.push(Self::exit(condition, *self.enters(&inside(otherwise))?.first()?, mode.symbol.span));
                 from.push((depth, None));
             }
             for (index, transition) in mode.transitions.iter().enumerate() {
@@ -157,10 +160,10 @@ impl<'a> Flattening<'a> {
                 for other in others {
                     let open = self.truth(Op::Unknown, transition.span);
                     let both = self.truth(Op::And(vec![condition, open]), transition.span);
-                    transitions.push(self.exit(both, *other, transition.span));
+                    transitions.push(Self::exit(both, *other, transition.span));
                     from.push((depth, Some(index)));
                 }
-                transitions.push(self.exit(condition, *first, transition.span));
+                transitions.push(Self::exit(condition, *first, transition.span));
                 from.push((depth, Some(index)));
             }
         }
@@ -174,7 +177,7 @@ impl<'a> Flattening<'a> {
         Some((Mode { symbol, requires, otherwise: None, transitions, incomplete, ..innermost.clone() }, from))
     }
 
-    fn exit(&self, condition: Id<Expr>, target: Id<Mode>, span: Span) -> Transition {
+    fn exit(condition: Id<Expr>, target: Id<Mode>, span: Span) -> Transition {
         Transition { priority: 0, priority_span: span, condition, target: Some(target), again: false, span }
     }
 

@@ -172,13 +172,13 @@ fn sizes(
     inner: &[Option<Sheet<'_>>],
 ) -> Sizes {
     let widest = |lines: &mut dyn Iterator<Item = &str>| lines.map(width_of).fold(0.0, f64::max);
-    let of_box = |((mode, lines), inner): ((&ModeBox, &Vec<(&str, String)>), &Option<Sheet<'_>>)| {
+    let of_box = |place: usize| {
+        let (mode, lines, inner) = (&chart.modes[place], &boxes[place], &inner[place]);
         let inside = inner.as_ref().map_or((0.0, 0.0), |inner| (inner.size().0, inner.size().1 + PADDING));
         let width = widest(&mut lines.iter().map(|(_, line)| line.as_str())).max(width_of(&mode.name) * 1.2);
         (width.max(inside.0) + 2.0 * PADDING, LINE * (lines.len() + 1) as f64 + inside.1 + 2.0 * PADDING - 4.0)
     };
-    let of_boxes = chart.modes.iter().zip(boxes).zip(inner).map(of_box);
-    let mut sizes = Sizes { boxes: of_boxes.collect(), arrows: Vec::new() };
+    let mut sizes = Sizes { boxes: (0..chart.modes.len()).map(of_box).collect(), arrows: Vec::new() };
     sizes.arrows.extend(chart.arrows.iter().zip(labels).map(|(arrow, lines)| {
         let width = widest(&mut lines.iter().map(String::as_str));
         (arrow.from, arrow.to, (circle(arrow) + width + 6.0, LINE * lines.len() as f64 + 6.0))
