@@ -30,10 +30,18 @@ mod vanishing_end;
 
 pub use fault_table::{EventRow, Failed, FaultRow, FaultTable, ModesRow, RuleRows, fault_table};
 
-use crate::base::FileId;
+use crate::base::{FileId, Id};
 use crate::diag::Diagnostic;
-use crate::ir::{Program, Symbol};
-use modes::Scene;
+use crate::ir::{Network, Program, Sense, Sensor, Symbol};
+use modes::Layers;
+
+/// A network, and the sensors that feed its inputs.
+type Source = (Id<Network>, Vec<Id<Sensor>>);
+
+/// What a sense of a diagram looks at.
+fn source(sense: &Sense) -> Source {
+    (sense.network, sense.inputs.clone())
+}
 
 /// Every finding about what the files that matter declare, with up to so many failed sensors, in no particular order.
 /// Linear in the size of the program, and in the cases of each mode.
@@ -55,6 +63,8 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
         events::check(program, id, &matters, &mut findings);
         outputs::check(program, id, faults, &mut findings);
     }
+    let mut layers = Layers::new(program);
+    let (mut noise, mut losses) = (events::Noise::default(), failures::Losses::default());
     for (id, diagram) in program.diagrams.iter().filter(|(_, diagram)| matters(&diagram.symbol)) {
         timing::check(program, id, &mut findings);
         if let Some(arbiter) = &diagram.arbiter {
@@ -70,13 +80,14 @@ pub fn run(program: &Program, faults: usize, matters: impl Fn(FileId) -> bool) -
         decisions::check(diagram, &mut findings);
         reachability::check(diagram, &mut findings);
         silent::check(diagram, program, &mut findings);
-        let scene = Scene::new(program, diagram);
+        let scene = layers.scene(id);
         if scene.is_whole() {
             let examined = modes::check(&scene, &mut findings);
-            failures::check(&scene, &examined, faults, matters, &mut findings);
-            modes::check_layers(program, id, &mut findings);
+            failures::check(&scene, &examined, (&mut losses, faults), matters, &mut findings);
+            layers.note(id, &examined);
+            layers.check(id, &mut findings);
         }
-        events::check_noise(program, diagram, &mut findings);
+        noise.check(program, diagram, &mut findings);
         outputs::check_senses(program, diagram, &mut findings);
     }
     for (id, _) in program.networks.iter().filter(|(_, network)| matters(&network.symbol)) {

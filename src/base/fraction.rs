@@ -8,7 +8,7 @@ use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Signed, ToPrimitive, Zero};
 
-use super::quantity::times_pi;
+use super::quantity::{nearest, times_pi};
 
 /// An exact fraction. Every operation and comparison is exact.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -92,7 +92,8 @@ impl Fraction {
 
     /// The nearest `f64` to this number of `π^power`.
     pub fn to_f64_times_pi(&self, power: i8) -> f64 {
-        times_pi(self.to_long(), power).to_f64().unwrap_or(f64::NAN)
+        let short = self.to_short().filter(|_| power == 0).and_then(|short| nearest(&short));
+        short.unwrap_or_else(|| times_pi(self.to_long(), power).to_f64().unwrap_or(f64::NAN))
     }
 
     fn apply(

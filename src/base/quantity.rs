@@ -135,7 +135,7 @@ impl Exact {
 
     /// The nearest `f64`: the only rounding a literal ever sees.
     pub fn to_f64(self) -> f64 {
-        self.to_big().to_f64().unwrap_or(f64::NAN)
+        nearest(&self.ratio).filter(|_| self.pi == 0).unwrap_or_else(|| self.to_big().to_f64().unwrap_or(f64::NAN))
     }
 
     /// The whole number this is, if it is one.
@@ -163,8 +163,19 @@ impl Exact {
     }
 }
 
+/// The nearest `f64`, where both parts are `f64`s themselves: a division rounds once.
+pub(super) fn nearest(ratio: &Ratio<i128>) -> Option<f64> {
+    const MOST: u128 = 1 << f64::MANTISSA_DIGITS;
+    let (numerator, denominator) = (*ratio.numer(), *ratio.denom());
+    let is_kept = numerator.unsigned_abs() <= MOST && denominator.unsigned_abs() <= MOST;
+    is_kept.then_some(numerator as f64 / denominator as f64)
+}
+
 /// `value · π^power`, π to 60 digits.
 pub(super) fn times_pi(mut value: BigRational, power: i8) -> BigRational {
+    if power == 0 {
+        return value;
+    }
     let pi = BigRational::new(
         BigInt::parse_bytes(PI_DIGITS.as_bytes(), 10).unwrap_or_default(),
         BigInt::from(10).pow(PI_DECIMALS),

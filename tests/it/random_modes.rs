@@ -1,8 +1,9 @@
 //! Random diagrams under random readings and failures: what was proved never to happen does not.
 
-use lmslc::analysis::modes::fault_table;
-use lmslc::base::Id;
+use lmslc::analysis::modes::{Way, fault_table};
+use lmslc::base::{Exact, Id};
 use lmslc::interp::{Actuators, Inputs, Machine, Reading, Taken};
+use lmslc::ir::Sensor;
 use lmslc::kernel::next_random;
 use lmslc::plan;
 
@@ -170,4 +171,60 @@ fn what_a_failure_traps_never_gets_out() {
         }
     }
     assert!(trapped > 10, "{trapped} traps: the diagrams show nothing");
+}
+
+/// A behavior whose modes ask events and compare `x` with three numbers each, all leading to `end`.
+fn comparing(modes: &[[f64; 3]]) -> String {
+    let mut text = format!("{CART} behavior b on cart {{ sense n(x, y)  entry m0\n");
+    for (mode, [one, two, three]) in modes.iter().enumerate() {
+        text += &format!(
+            "mode m{mode} {{ turn(1 rad) 1: odd and x > {one} -> end 2: some and not full and x <= {two} -> end
+                3: all and x == {three} -> end 4: not odd and full and x < {three} -> end }}\n"
+        );
+    }
+    text + "mode end { turn(2 rad) 1: odd -> m0 } }"
+}
+
+#[test]
+fn what_a_mode_can_do_does_not_depend_on_how_many_there_are() {
+    let mut random = Random { state: 5, recalls: false };
+    // Among them the readings at which degrees cross or bend.
+    let mut number = || random.below(41) as f64 / 4.0;
+    let modes: Vec<[f64; 3]> = (0..40).map(|_| [number(), number(), number()]).collect();
+    let text = comparing(&modes);
+    let together = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
+    let together = fault_table(&together.program, Id::new(0), 1);
+    let mut shown = 0;
+    for (mode, numbers) in modes.iter().enumerate() {
+        let text = comparing(&[*numbers]);
+        let alone = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
+        for facts in fault_table(&alone.program, Id::new(0), 1) {
+            let Some(among) = together.iter().find(|among| among.faults == facts.faults) else { continue };
+            let live = |exits: &[Option<Way>]| exits.iter().map(Option::is_some).collect::<Vec<_>>();
+            assert_eq!(live(&among.modes[mode].exits), live(&facts.modes[0].exits), "{text}");
+        }
+        // What shows it among many modes does it alone.
+        let plan = plan::build(alone.checked().unwrap(), Id::new(0), Id::new(0), &[]);
+        for (exit, way) in together[0].modes[mode].exits.iter().enumerate() {
+            let Some(Way::Shown(moments)) = way else { continue };
+            let mut machine = Machine::new(&plan, 1);
+            let told = |readings: &[(Id<Sensor>, Exact)]| {
+                [0, 1].map(|sensor| {
+                    let at = readings.iter().find(|(known, _)| known.index() == sensor);
+                    Reading { value: at.map_or(0.0, |(_, at)| at.to_f64()), healthy: true }
+                })
+            };
+            let mut step = |readings: &[(Id<Sensor>, Exact)]| {
+                machine.step(Inputs { readings: &told(readings), done: false }, 100_000_000, &mut Deaf)
+            };
+            step(&[]);
+            let last = moments.iter().map(|moment| step(&moment.readings)).last();
+            assert!(
+                matches!(last, Some(Taken::Transition(taken)) if taken as usize == exit),
+                "exit {exit}: {last:?}\n{text}"
+            );
+            shown += 1;
+        }
+    }
+    assert!(shown > 80, "{shown} exits shown");
 }

@@ -22,7 +22,7 @@ mod tie;
 mod unused_input;
 mod weak_any;
 
-pub(super) use noise::check as check_noise;
+pub(super) use noise::Noise;
 
 use super::network::{EventFacts, FaultSet, Model, NetworkFacts, Question, Reading, RuleFacts, Witness};
 use crate::base::{Fraction, Id};

@@ -1,6 +1,7 @@
 //! Events that some failed sensors take away, though other sensors have a say in them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
 use super::looks::View;
 use super::single_point::single_point;
@@ -8,6 +9,7 @@ use super::stuck_event::stuck_event;
 use super::words::Failed;
 use crate::analysis::modes::Fault as How;
 use crate::analysis::network::{Fault, FaultSet, Feed, Model};
+use crate::analysis::{Source, source};
 use crate::base::{Exact, Id, Span};
 use crate::diag::Diagnostic;
 use crate::ir::{self, Diagram, FailReading, Network, Program, Sense};
@@ -25,6 +27,39 @@ pub(super) struct LostEvent<'a> {
 type Ability = fn(&Model, usize, &FaultSet) -> bool;
 type Message = fn(&LostEvent<'_>) -> Diagnostic;
 
+/// What failures take from the events of networks, each looked at once over the same sensors.
+#[derive(Default)]
+pub(in crate::analysis) struct Losses {
+    known: HashMap<Source, Rc<Vec<Lost>>>,
+}
+
+/// For each of `LOSSES` the smallest sets of failures that take it from an event.
+type Lost = [Vec<FaultSet>; LOSSES.len()];
+
+impl Losses {
+    /// For each event of a sensed network what at most `up_to` failures take away, but do not from the network on its own.
+    fn of(&mut self, program: &Program, sense: &Sense, up_to: usize) -> Rc<Vec<Lost>> {
+        Rc::clone(self.known.entry(source(sense)).or_insert_with(|| Rc::new(lost(program, sense, up_to))))
+    }
+}
+
+fn lost(program: &Program, sense: &Sense, up_to: usize) -> Vec<Lost> {
+    let network = &program.networks[sense.network];
+    let inputs = sense.inputs.iter().zip(&network.inputs);
+    let feeds: Vec<_> = inputs.map(|(sensor, input)| feed(program, *sensor, Some(input.variable))).collect();
+    let Some(model) = Model::fed_by(program, network, &feeds) else { return Vec::new() };
+    let fails_alone = network.inputs.iter().any(|input| !program.variables[input.variable].fails.is_empty());
+    let alone = fails_alone.then(|| Model::new(program, sense.network)).flatten();
+    let of_event = |(index, event): (usize, &ir::Event)| {
+        LOSSES.map(|(ability, _)| {
+            let of = |model| minimal(model, event, index, up_to, ability);
+            let told_there = alone.as_ref().map_or_else(Vec::new, of);
+            of(&model).into_iter().filter(|set| !told_there.contains(set)).collect()
+        })
+    };
+    network.events.iter().enumerate().map(of_event).collect()
+}
+
 /// What can be lost of an event, and how it is told.
 const LOSSES: [(Ability, Message); 2] = [(Model::can_set, single_point), (Model::can_clear, stuck_event)];
 
@@ -41,7 +76,7 @@ pub(in crate::analysis) fn feed(program: &Program, sensor: Id<ir::Sensor>, varia
 pub(super) fn check_sense(
     (program, diagram, views): (&Program, &Diagram, &[View]),
     (position, sense): (u32, &Sense),
-    up_to: usize,
+    (losses, up_to): (&mut Losses, usize),
     findings: &mut Vec<Diagnostic>,
 ) {
     let network = &program.networks[sense.network];
@@ -54,13 +89,10 @@ pub(super) fn check_sense(
         })
     };
     let asked: Vec<_> = (0..).zip(&network.events).filter(|(event, _)| asks(*event).next().is_some()).collect();
-    let inputs = sense.inputs.iter().zip(&network.inputs);
-    let feeds: Vec<_> = inputs.map(|(sensor, input)| feed(program, *sensor, Some(input.variable))).collect();
-    let Some(model) = (!asked.is_empty()).then(|| Model::fed_by(program, network, &feeds)).flatten() else {
+    if asked.is_empty() {
         return;
-    };
-    let fails_alone = network.inputs.iter().any(|input| !program.variables[input.variable].fails.is_empty());
-    let alone = fails_alone.then(|| Model::new(program, sense.network)).flatten();
+    }
+    let losses = losses.of(program, sense, up_to);
     let failed = |fault: &Fault| {
         let ir::Sensor { symbol, unit, range, .. } = &program.sensors[sense.inputs[fault.input]];
         Failed { name: &symbol.name, unit, range: *range, how: how(fault.reading, *range) }
@@ -71,11 +103,8 @@ pub(super) fn check_sense(
             let is_answered = |view: &View| set.iter().any(|fault| view.answers.contains(&sense.inputs[fault.input]));
             asks(index).find(|(view, _)| !is_answered(view)).map(|(_, span)| span)
         };
-        for (ability, told) in LOSSES {
-            let of = |model| minimal(model, event, index as usize, up_to, ability);
-            let told_there = alone.as_ref().map_or_else(Vec::new, of);
-            let sets = of(&model).into_iter().filter(|set| !told_there.contains(set));
-            let lost: Vec<_> = sets.filter_map(|set| Some((unanswered(&set)?, set))).collect();
+        for (sets, (_, told)) in losses.get(index as usize).into_iter().flatten().zip(LOSSES) {
+            let lost: Vec<_> = sets.iter().filter_map(|set| Some((unanswered(set)?, set))).collect();
             let Some(&(asked, _)) = lost.first() else { continue };
             let sets = lost.iter().map(|(_, set)| set.iter().map(failed).collect()).collect();
             findings.push(told(&LostEvent { event, asked: Some(asked), sets }));

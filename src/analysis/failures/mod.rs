@@ -12,7 +12,7 @@ mod unsafe_modes;
 mod words;
 
 pub(super) use effects::{Effect, effects};
-pub(super) use events::{check_network, feed, how, named_inputs};
+pub(super) use events::{Losses, check_network, feed, how, named_inputs};
 pub(super) use looks::View;
 pub(super) use undeclared::check_robot;
 pub(super) use words::{Failed, failed, joined, list};
@@ -38,7 +38,7 @@ struct Subject<'a> {
 pub(super) fn check(
     scene: &Scene<'_>,
     examined: &[Option<Examined>],
-    up_to: usize,
+    (losses, up_to): (&mut Losses, usize),
     matters: impl Fn(&Symbol) -> bool,
     findings: &mut Vec<Diagnostic>,
 ) {
@@ -48,7 +48,7 @@ pub(super) fn check(
     }
     let views = View::of_modes(program, diagram);
     for sense in (0..).zip(&diagram.senses).filter(|(_, sense)| matters(&program.networks[sense.network].symbol)) {
-        events::check_sense((program, diagram, &views), sense, up_to, findings);
+        events::check_sense((program, diagram, &views), sense, (losses, up_to), findings);
     }
     let can_surprise = |faults: &FaultSet, mode: Id<Mode>| {
         let mut exits = 0..views[mode.index()].exits.len();

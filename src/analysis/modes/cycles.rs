@@ -91,24 +91,23 @@ pub(super) fn shortest<'a>(scene: &Scene<'a>, group: &[Id<Mode>], pace: Pace) ->
         let values = formula.settled(tick.truth, u64::MAX);
         needs_readings.iter_mut().zip(&formula.roots).for_each(|(needs, root)| *needs |= !values[*root]);
     }
+    let places: HashMap<Id<Mode>, usize> = group.iter().copied().zip(0..).collect();
     let mut found: Option<Cycle<'a>> = None;
     let mut known = BTreeSet::new();
     for tick in ticks {
         let Some(readings) = tick.readings else { continue };
-        let mut next: HashMap<Id<Mode>, Step<'a>> = HashMap::new();
+        let mut next: Vec<Option<Step<'a>>> = vec![None; group.len()];
         for &dwell in &dwells {
             let values = formula.settled(tick.truth, dwell);
-            let left: BTreeSet<_> = next.keys().copied().collect();
-            for ((&(mode, transition), root), &needs_readings) in exits.iter().zip(&formula.roots).zip(&needs_readings)
-            {
-                if values[*root] && !left.contains(&mode) {
-                    next.entry(mode).or_insert(Step { mode, transition, waits: dwell > 0, needs_readings });
-                }
+            let holding = exits.iter().zip(&needs_readings).zip(&formula.roots).filter(|(_, root)| values[**root]);
+            for ((&(mode, transition), &needs_readings), _) in holding {
+                let step = Step { mode, transition, waits: dwell > 0, needs_readings };
+                next[places[&mode]].get_or_insert(step);
             }
         }
-        let chosen: Vec<_> = group.iter().map(|mode| next.get(mode).map(|step| step.transition.span)).collect();
+        let chosen: Vec<_> = next.iter().map(|step| step.map(|step| step.transition.span)).collect();
         if known.insert(chosen)
-            && let Some(steps) = shortest_cycle(group, &next, pace)
+            && let Some(steps) = shortest_cycle(&places, &next, pace)
             && found.as_ref().is_none_or(|found| steps.len() < found.steps.len())
         {
             found = Some(Cycle { steps, readings });
@@ -127,22 +126,25 @@ fn dwells(formula: &Formula, pace: Pace) -> Vec<u64> {
 }
 
 /// The shortest cycle of at least two modes that each lead to one.
-fn shortest_cycle<'a>(group: &[Id<Mode>], next: &HashMap<Id<Mode>, Step<'a>>, pace: Pace) -> Option<Vec<Step<'a>>> {
-    let mut walked: HashMap<Id<Mode>, Id<Mode>> = HashMap::new();
+fn shortest_cycle<'a>(
+    places: &HashMap<Id<Mode>, usize>,
+    next: &[Option<Step<'a>>],
+    pace: Pace,
+) -> Option<Vec<Step<'a>>> {
+    let mut walked: Vec<Option<usize>> = vec![None; next.len()];
     let mut shortest: Option<Vec<_>> = None;
-    for &start in group {
+    for start in 0..next.len() {
         let mut path: Vec<Step<'a>> = Vec::new();
-        let mut mode = start;
-        while let (Some(step), None) = (next.get(&mode), walked.get(&mode)) {
-            walked.insert(mode, start);
-            path.push(*step);
-            let Some(target) = step.transition.target else { break };
-            mode = target;
+        let mut place = Some(start);
+        while let Some(here) = place.filter(|here| walked[*here].is_none())
+            && let Some(step) = next[here]
+        {
+            walked[here] = Some(start);
+            path.push(step);
+            place = step.transition.target.and_then(|target| places.get(&target)).copied();
         }
-        if walked.get(&mode) != Some(&start) || !next.contains_key(&mode) {
-            continue;
-        }
-        let Some(begin) = path.iter().position(|step| step.mode == mode) else { continue };
+        let Some(place) = place.filter(|place| walked[*place] == Some(start)) else { continue };
+        let Some(begin) = path.iter().position(|step| places[&step.mode] == place) else { continue };
         let cycle = path.split_off(begin);
         let is_shorter = shortest.as_ref().is_none_or(|shortest| cycle.len() < shortest.len());
         if cycle.len() > 1 && is_shorter && pace.fits(&cycle) {

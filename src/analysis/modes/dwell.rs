@@ -130,6 +130,7 @@ pub(super) fn stay(formula: &Formula, cases: &[Rc<Case>], before: &BTreeSet<Stat
     let mut found: BTreeMap<State, Option<Vec<Moment>>> = waiting.iter().map(|state| (state.clone(), None)).collect();
     found.insert(start, Some(Vec::new()));
     let mut before = before.iter();
+    let mut values = Vec::with_capacity(formula.nodes.len());
     let mut next = 0;
     loop {
         // What is shown comes first, so that it is found first.
@@ -147,7 +148,9 @@ pub(super) fn stay(formula: &Formula, cases: &[Rc<Case>], before: &BTreeSet<Stat
         for (position, case) in cases.iter().enumerate() {
             let path = path.as_ref().filter(|_| position == 0);
             for tick in &case.ticks {
-                let Some(values) = formula.values(tick.truth | held) else { continue };
+                if !formula.write_values(tick.truth | held, &mut values) {
+                    continue;
+                }
                 let extended = || extended(path?, clock.starts(state.0), formula, tick);
                 stay.note(formula, &values, &case.gates.open, || extended().map_or(Way::Open, Way::Shown));
                 let taken = formula.roots.iter().zip(&case.gates.open).any(|(root, open)| values[*root] && *open);

@@ -66,7 +66,7 @@ pub enum Past {
 
 impl Past {
     /// Whether the past can say `claimed` while the node is `now`.
-    fn allows(self, claimed: bool, now: bool) -> bool {
+    pub(super) fn allows(self, claimed: bool, now: bool) -> bool {
         match self {
             Self::Held(0) => claimed == now,
             Self::Rising | Self::Held(_) => now || !claimed,
@@ -342,17 +342,29 @@ impl Formula {
 
     /// The value of every node where these atoms are true; `None` where the past contradicts the present.
     pub(super) fn values(&self, truth: u64) -> Option<Vec<bool>> {
-        let values = self.claimed(truth);
+        let mut values = Vec::with_capacity(self.nodes.len());
+        self.write_values(truth, &mut values).then_some(values)
+    }
+
+    /// Writes the value of every node; whether the past agrees with the present.
+    pub(super) fn write_values(&self, truth: u64, values: &mut Vec<bool>) -> bool {
+        self.claim(truth, values);
         let allows = |(bit, atom): (usize, &Atom)| match atom {
             Atom::Past(past, of) => past.allows(truth >> bit & 1 == 1, values[*of]),
             _ => true,
         };
-        self.atoms.iter().enumerate().all(allows).then_some(values)
+        self.atoms.iter().enumerate().all(allows)
     }
 
     /// The value of every node where these atoms are true, whatever they say of the past.
     pub(super) fn claimed(&self, truth: u64) -> Vec<bool> {
-        let mut values: Vec<bool> = Vec::with_capacity(self.nodes.len());
+        let mut values = Vec::with_capacity(self.nodes.len());
+        self.claim(truth, &mut values);
+        values
+    }
+
+    fn claim(&self, truth: u64, values: &mut Vec<bool>) {
+        values.clear();
         for node in &self.nodes {
             values.push(match node {
                 Node::Constant(value) => *value,
@@ -360,6 +372,25 @@ impl Formula {
                 Node::Not(of) => !values[*of],
                 Node::All(of) => of.iter().all(|of| values[*of]),
                 Node::Any(of) => of.iter().any(|of| values[*of]),
+            });
+        }
+    }
+
+    /// What is known of every node where that is known of the atoms; an atom is told what is known of the nodes before it.
+    pub(super) fn known(&self, of_atom: impl Fn(&Atom, &[Option<bool>]) -> Option<bool>) -> Vec<Option<bool>> {
+        let mut values: Vec<Option<bool>> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let all = |of: &[usize], otherwise: bool| {
+                let decides = of.iter().any(|of| values[*of] == Some(otherwise));
+                let is_open = of.iter().any(|of| values[*of].is_none());
+                if decides { Some(otherwise) } else { (!is_open).then_some(!otherwise) }
+            };
+            values.push(match node {
+                Node::Constant(value) => Some(*value),
+                Node::Atom(atom) => of_atom(&self.atoms[*atom], &values),
+                Node::Not(of) => values[*of].map(|value| !value),
+                Node::All(of) => all(of, false),
+                Node::Any(of) => all(of, true),
             });
         }
         values

@@ -46,7 +46,7 @@ pub(super) use formula::parts;
 pub use formula::{Atom, Formula, Node, Operand, Past};
 pub use machine::{Case, Guards, Machine, machine};
 pub(super) use outcomes::{Conditions, Outcomes};
-pub(super) use preempted::check as check_layers;
+pub(super) use preempted::Layers;
 pub use properties::{Proof, Prover};
 pub use stimuli::Stimulus;
 pub(super) use ticks::Scene;

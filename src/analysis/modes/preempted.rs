@@ -1,87 +1,200 @@
 //! Transitions of inner layers that an outer layer always forestalls.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
-use super::examined::{concerning, examine};
-use super::flat::{Leaf, flatten};
-use super::formula::{Atom, Formula};
+use super::dwell::{Moment, Way};
+use super::examined::{Examined, examine};
+use super::flat::{Flat, Leaf, flatten};
+use super::formula::{Atom, Formula, Operand, compare};
+use super::fusion::Fusion;
 use super::ticks::Scene;
-use crate::base::{Id, Span};
+use crate::base::{Exact, Id, Span};
 use crate::diag::{Diagnostic, rules};
-use crate::ir::{Diagram, Mode, Program};
+use crate::ir::{Diagram, Mode, Program, Sensor};
 
-/// Warns of transitions inside the modes of a diagram that are taken where the inner diagram runs by itself, and never
-/// here: whenever they could be, the diagram leaves the mode around them. Only modes whose conditions have to do with
-/// the outer ones are looked into, so that it costs the sum of the layers where these mind their own business.
-pub(in crate::analysis) fn check(program: &Program, id: Id<Diagram>, findings: &mut Vec<Diagnostic>) {
-    let diagram = &program.diagrams[id];
-    if diagram.modes.values().all(|mode| mode.runs.is_none()) {
-        return;
+/// What is known of diagrams and of the diagrams that their modes run, each looked at once.
+pub(in crate::analysis) struct Layers<'a> {
+    program: &'a Program,
+    fusion: Rc<Fusion>,
+    /// By the modes of a diagram, how their transitions are taken where nothing runs around them.
+    alone: HashMap<Id<Diagram>, Rc<Vec<Ways>>>,
+    flats: HashMap<Id<Diagram>, Option<Rc<Flat>>>,
+    taken: HashMap<Place, Option<Rc<Taken>>>,
+}
+
+/// An innermost mode of a diagram, by the modes around it and itself.
+type Place = (Id<Diagram>, Vec<Id<Mode>>);
+
+/// How the transitions of a mode are taken; `None` where there is too much to look into.
+type Ways = Option<Vec<Option<Way>>>;
+
+/// The transitions of an innermost mode that are taken, by layer and position.
+type Taken = BTreeSet<(usize, usize)>;
+
+impl<'a> Layers<'a> {
+    pub(in crate::analysis) fn new(program: &'a Program) -> Self {
+        let (alone, flats, taken) = Default::default();
+        Self { program, fusion: Rc::default(), alone, flats, taken }
     }
-    let Some(flat) = flatten(program, id, &[]) else { return };
-    let scene = Scene::new(&flat.program, &flat.program.diagrams[flat.diagram]);
-    // What is taken or not in some mode, by the outer mode and by where it stands.
-    let (mut dead, mut live): (BTreeSet<(Id<Mode>, Span)>, BTreeSet<_>) = Default::default();
-    let leaves: Vec<_> = flat.leaves.iter().zip(scene.diagram.modes.values()).collect();
-    for within in leaves.chunk_by(|(one, _), (next, _)| one.path.first() == next.path.first()) {
-        let Some(&outer) = within.first().and_then(|(leaf, _)| leaf.path.first()) else { continue };
-        let Some(alone) = diagram.modes[outer].runs.and_then(|run| flatten(program, run.diagram, &[])) else {
-            continue;
-        };
-        let alone_scene = Scene::new(&alone.program, &alone.program.diagrams[alone.diagram]);
-        for (leaf, mode) in within {
-            let named = |depth: usize, index: usize| {
-                let place = leaf.exits.iter().position(|from| *from == (depth, Some(index)))?;
-                Some((outer, mode.transitions[place].span))
-            };
-            if !concern_each_other(&scene, leaf, mode) {
-                let inner = leaf.exits.iter().filter(|(depth, _)| *depth > 0);
-                live.extend(inner.filter_map(|(depth, index)| named(*depth, (*index)?)));
-                continue;
-            }
-            let before = alone.leaves.iter().zip(alone_scene.diagram.modes.values());
-            let mut before = before.filter(|(inner, _)| leaf.path[1..] == inner.path);
-            let before = before.next().and_then(|(inner, mode)| taken(&alone_scene, inner, mode));
-            let here = before.as_ref().and_then(|_| taken(&scene, leaf, mode));
-            for (depth, index) in before.unwrap_or_default() {
-                let lives = here.as_ref().is_none_or(|here| here.contains(&(depth + 1, index)));
-                if lives { &mut live } else { &mut dead }.extend(named(depth + 1, index));
+
+    /// A diagram to look at by itself.
+    pub(in crate::analysis) fn scene(&self, diagram: Id<Diagram>) -> Scene<'a> {
+        Scene::sharing(self.program, &self.program.diagrams[diagram], &self.fusion)
+    }
+
+    /// Notes what was found of a diagram by itself.
+    pub(in crate::analysis) fn note(&mut self, diagram: Id<Diagram>, examined: &[Option<Examined>]) {
+        let ways = |examined: &Examined| examined.stay.exits.iter().map(|exit| exit.taken.clone()).collect();
+        let ways = examined.iter().map(|examined| examined.as_ref().map(ways)).collect();
+        self.alone.insert(diagram, Rc::new(ways));
+    }
+
+    fn alone(&mut self, diagram: Id<Diagram>) -> Rc<Vec<Ways>> {
+        if !self.alone.contains_key(&diagram) {
+            let scene = self.scene(diagram);
+            let examined: Vec<_> = scene.diagram.modes.values().map(|mode| examine(&scene, mode)).collect();
+            self.note(diagram, &examined);
+        }
+        Rc::clone(&self.alone[&diagram])
+    }
+
+    /// Warns of transitions inside the modes of a diagram that are taken where the inner diagram runs by itself, and
+    /// never here: whenever they could be, the diagram leaves the mode around them. Costs the sum of the layers where
+    /// what shows a transition by itself shows it here too.
+    pub(in crate::analysis) fn check(&mut self, id: Id<Diagram>, findings: &mut Vec<Diagnostic>) {
+        let diagram = &self.program.diagrams[id];
+        let mut open = self.open(id);
+        let Some(flat) = (!open.is_empty()).then(|| self.flat(id)).flatten() else { return };
+        let scene = Scene::sharing(&flat.program, &flat.program.diagrams[flat.diagram], &self.fusion);
+        let mut dead = BTreeSet::new();
+        for (leaf, mode) in flat.leaves.iter().zip(scene.diagram.modes.values()) {
+            let Some((&outer, inner)) = leaf.path.split_first() else { continue };
+            let Some(run) = diagram.modes[outer].runs else { continue };
+            let inner_exits = leaf.exits.iter().zip(&mode.transitions).filter(|((depth, _), _)| *depth > 0);
+            let asked: Vec<_> = inner_exits.filter(|(_, exit)| open.contains(&(outer, exit.span))).collect();
+            let Some(here) = (!asked.is_empty()).then(|| self.taken_in(&scene, id, leaf, mode)) else { continue };
+            for (&(depth, index), exit) in asked {
+                let is_in = |taken: &Taken, depth| index.is_some_and(|index| taken.contains(&(depth, index)));
+                if here.as_ref().is_none_or(|here| is_in(here, depth)) {
+                    open.remove(&(outer, exit.span));
+                } else if self.taken(run.diagram, inner).is_some_and(|before| is_in(&before, depth - 1)) {
+                    dead.insert((outer, exit.span));
+                }
             }
         }
+        for (mode, transition) in dead.intersection(&open) {
+            findings.extend(preempted(self.program, diagram, *mode, *transition));
+        }
     }
-    for (mode, transition) in dead.difference(&live) {
-        findings.extend(preempted(program, diagram, *mode, *transition));
+
+    /// The transitions inside the modes of a diagram that are taken by themselves, each with the mode around it, but for
+    /// those that are taken here on the same ticks.
+    fn open(&mut self, id: Id<Diagram>) -> BTreeSet<(Id<Mode>, Span)> {
+        let program = self.program;
+        let (mut all, mut shown): (BTreeSet<_>, BTreeSet<_>) = Default::default();
+        for outer in program.diagrams[id].modes.ids() {
+            let mut waiting: Vec<(Id<Diagram>, Id<Mode>, Vec<Around>)> = vec![(id, outer, Vec::new())];
+            while let Some((diagram, mode, mut around)) = waiting.pop() {
+                let diagram = &program.diagrams[diagram];
+                let Mode { transitions, is_final, runs: Some(run), .. } = &diagram.modes[mode] else { continue };
+                let Some(conditions) = Formula::new(program, diagram, transitions) else { continue };
+                around.push(Around { mode, is_final: *is_final, conditions: Rc::new(conditions) });
+                let alone = self.alone(run.diagram);
+                for ((id, mode), ways) in program.diagrams[run.diagram].modes.iter().zip(alone.iter()) {
+                    let exits = mode.transitions.iter().zip(ways.iter().flatten());
+                    for (exit, way) in exits.filter_map(|(exit, way)| Some((exit, way.as_ref()?))) {
+                        all.insert((outer, exit.span));
+                        if is_let_be(program, &around, (id, mode), way) {
+                            shown.insert((outer, exit.span));
+                        }
+                    }
+                    waiting.push((run.diagram, id, around.clone()));
+                }
+            }
+        }
+        &all - &shown
     }
-}
 
-/// The transitions of a mode that are taken, by layer and position; `None` where there is too much to look into.
-fn taken(scene: &Scene<'_>, leaf: &Leaf, mode: &Mode) -> Option<BTreeSet<(usize, usize)>> {
-    let examined = examine(scene, mode)?;
-    let exits = leaf.exits.iter().zip(&examined.stay.exits).filter(|(_, exit)| exit.taken.is_some());
-    Some(exits.filter_map(|((depth, index), _)| Some((*depth, (*index)?))).collect())
-}
+    fn flat(&mut self, diagram: Id<Diagram>) -> Option<Rc<Flat>> {
+        let program = self.program;
+        self.flats.entry(diagram).or_insert_with(|| flatten(program, diagram, &[]).map(Rc::new)).clone()
+    }
 
-/// Whether the outermost conditions of a mode can have to do with the others: they look at the same sensors or at the
-/// mode itself, or wait no longer.
-fn concern_each_other(scene: &Scene<'_>, leaf: &Leaf, mode: &Mode) -> bool {
-    let formula = |is_outer: bool| {
-        let exits = mode.transitions.iter().zip(&leaf.exits);
-        let exits = exits.filter(|(_, (depth, _))| (*depth == 0) == is_outer).map(|(exit, _)| exit);
-        Formula::new(scene.program, scene.diagram, exits)
-    };
-    let Some((outer, inner)) = formula(true).zip(formula(false)) else { return false };
-    let sensors = |formula: &Formula| concerning(scene, mode, formula);
-    let times = |formula: &Formula| -> Vec<u64> {
-        let time = |atom: &Atom| match atom {
-            Atom::After(duration) => Some(*duration),
-            _ => None,
+    /// The transitions that are taken in an innermost mode of a diagram; `None` where there is too much to look into.
+    fn taken(&mut self, diagram: Id<Diagram>, path: &[Id<Mode>]) -> Option<Rc<Taken>> {
+        if let [mode] = path {
+            let alone = self.alone(diagram);
+            let ways = alone[mode.index()].iter().flatten().enumerate();
+            return Some(Rc::new(ways.filter(|(_, way)| way.is_some()).map(|(index, _)| (0, index)).collect()));
+        }
+        if let Some(known) = self.taken.get(&(diagram, path.to_vec())) {
+            return known.clone();
+        }
+        let flat = self.flat(diagram)?;
+        let scene = Scene::sharing(&flat.program, &flat.program.diagrams[flat.diagram], &self.fusion);
+        let leaves = flat.leaves.iter().zip(scene.diagram.modes.values());
+        let (leaf, mode) = leaves.into_iter().find(|(leaf, _)| leaf.path == path)?;
+        self.taken_in(&scene, diagram, leaf, mode)
+    }
+
+    fn taken_in(&mut self, scene: &Scene<'_>, diagram: Id<Diagram>, leaf: &Leaf, mode: &Mode) -> Option<Rc<Taken>> {
+        let taken = || {
+            let examined = examine(scene, mode)?;
+            let exits = leaf.exits.iter().zip(&examined.stay.exits).filter(|(_, exit)| exit.taken.is_some());
+            Some(Rc::new(exits.filter_map(|((depth, index), _)| Some((*depth, (*index)?))).collect()))
         };
-        formula.atoms.iter().filter_map(time).collect()
+        self.taken.entry((diagram, leaf.path.clone())).or_insert_with(taken).clone()
+    }
+}
+
+/// A mode around others, with the conditions on which it is left.
+#[derive(Clone)]
+struct Around {
+    mode: Id<Mode>,
+    is_final: bool,
+    conditions: Rc<Formula>,
+}
+
+/// Whether what shows a transition of a mode by itself leaves the modes around it, from the outermost on, be.
+fn is_let_be(program: &Program, around: &[Around], (id, mode): (Id<Mode>, &Mode), way: &Way) -> bool {
+    let Way::Shown(moments) = way else { return false };
+    let path: Vec<_> = around.iter().map(|around| around.mode).chain([id]).collect();
+    around.iter().enumerate().all(|(depth, Around { conditions, .. })| {
+        let is_done = around.get(depth + 1).map_or(mode.is_final, |inner| inner.is_final);
+        moments.iter().all(|moment| holds_none(program, conditions, &path[depth..], is_done, moment))
+    })
+}
+
+/// Whether no condition on which a mode is left holds at a moment inside, nothing having failed, where that is known: what
+/// it remembers may be anything. `path` leads inward from the mode, as far as it is known.
+fn holds_none(program: &Program, conditions: &Formula, path: &[Id<Mode>], is_done: bool, moment: &Moment) -> bool {
+    // A diagram on an interface names the sensors of the robot as its own.
+    let name = |sensor: Id<Sensor>| &program.sensors[sensor].symbol.name;
+    let read = |sensor: Id<Sensor>| {
+        let mut readings = moment.readings.iter();
+        readings.find(|(read, _)| *read == sensor || name(*read) == name(sensor)).map(|(_, at)| *at)
     };
-    let settled = outer.claimed(0);
-    outer.roots.iter().any(|root| settled[*root])
-        || !sensors(&outer).is_disjoint(&sensors(&inner))
-        || times(&outer).into_iter().min() <= times(&inner).into_iter().max().filter(|_| !times(&outer).is_empty())
+    let values = conditions.known(|atom, values| match atom {
+        Atom::Compare(comparison, left, Operand::Number(right)) => Some(compare(*comparison, read(*left)?, *right)),
+        Atom::Compare(comparison, left, Operand::Sensor(right)) => {
+            Some(compare(*comparison, read(*left)?, read(*right)?))
+        }
+        Atom::Failed(_) => Some(false),
+        Atom::After(duration) => Some(*duration <= moment.dwell),
+        Atom::Past(past, of) => {
+            let may_be = |now: &bool| values[*of].is_none_or(|value| value == *now);
+            [false, true].iter().filter(|now| may_be(now)).all(|now| past.allows(false, *now)).then_some(false)
+        }
+        Atom::Count(comparison, _, number) => Some(compare(*comparison, Exact::ZERO, *number)),
+        Atom::Inside(inside) => {
+            let is_along = inside.iter().zip(path).all(|(step, mode)| step == mode);
+            if is_along { (inside.len() <= path.len()).then_some(true) } else { Some(false) }
+        }
+        Atom::Done => Some(is_done),
+        _ => None,
+    });
+    conditions.roots.iter().all(|root| values[*root] == Some(false))
 }
 
 fn preempted(program: &Program, diagram: &Diagram, mode: Id<Mode>, transition: Span) -> Option<Diagnostic> {

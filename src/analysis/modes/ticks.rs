@@ -1,10 +1,12 @@
 //! The ticks that can be: every feasible truth of a formula's atoms, with readings that give it.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::rc::Rc;
 
 use super::faults::{self, FaultSet};
 use super::formula::{Atom, Formula, Operand, compare};
-use super::fusion::{Fusion, Question, Readings};
+use super::fusion::{Asked, Fusion, Question, Readings};
 use crate::analysis::support::{Cut, Interval};
 use crate::base::{Exact, Id};
 use crate::ir::{Diagram, Program, Sense, Sensor};
@@ -13,12 +15,19 @@ use crate::ir::{Diagram, Program, Sense, Sensor};
 pub(in crate::analysis) struct Scene<'a> {
     pub(in crate::analysis) program: &'a Program,
     pub(in crate::analysis) diagram: &'a Diagram,
-    pub(super) fusion: Fusion,
+    fusion: Rc<Fusion>,
+    /// The numbers of the diagram's senses.
+    senses: Vec<u32>,
 }
 
 impl<'a> Scene<'a> {
     pub(in crate::analysis) fn new(program: &'a Program, diagram: &'a Diagram) -> Self {
-        Self { program, diagram, fusion: Fusion::default() }
+        Self::sharing(program, diagram, &Rc::default())
+    }
+
+    /// With what is known of the networks by now. Sensors and networks are the same in all programs that share it.
+    pub(super) fn sharing(program: &'a Program, diagram: &'a Diagram, fusion: &Rc<Fusion>) -> Self {
+        Self { program, diagram, fusion: Rc::clone(fusion), senses: fusion.senses(diagram) }
     }
 
     /// Whether every sense has its inputs. Where they were broken, what its events do is unknown.
@@ -56,6 +65,8 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
     if combinations > MOST_TICKS {
         return None;
     }
+    let sizes: Vec<_> = cells.values().map(Vec::len).collect();
+    let fused = Fused::new(scene, formula, faults);
     let mut ticks = Vec::new();
     let mut known = HashSet::new();
     let mut place = vec![0; cells.len()];
@@ -63,7 +74,7 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
         let here: BTreeMap<_, _> =
             cells.iter().zip(&place).map(|((sensor, cells), at)| (*sensor, cells[*at])).collect();
         let held = fixed | comparisons(formula, &here);
-        for Tick { truth, readings } in fused(scene, formula, faults, &here, held)? {
+        for Tick { truth, readings } in fused.ticks(&here, held)? {
             for choice in 0..1_u64 << free.len() {
                 let chosen: u64 = free.iter().enumerate().map(|(bit, atom)| (choice >> bit & 1) << atom).sum();
                 if known.insert(truth | chosen) {
@@ -74,7 +85,6 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
         if ticks.len() > MOST_TICKS {
             return None;
         }
-        let sizes: Vec<_> = cells.values().map(Vec::len).collect();
         let Some(digit) = (0..sizes.len()).find(|digit| place[*digit] + 1 < sizes[*digit]) else { break };
         place[..digit].fill(0);
         place[digit] += 1;
@@ -177,30 +187,44 @@ fn comparisons(formula: &Formula, here: &BTreeMap<Id<Sensor>, Cell>) -> u64 {
     formula.truth_of(holds)
 }
 
-/// The ticks of one combination of cells: one for each joint valuation of the events; `None` where there are too many.
-fn fused(
-    scene: &Scene<'_>,
-    formula: &Formula,
-    faults: &FaultSet,
-    here: &BTreeMap<Id<Sensor>, Cell>,
-    truth: u64,
-) -> Option<Vec<Tick>> {
-    let compared: Readings = here.iter().map(|(sensor, (_, at))| (*sensor, *at)).collect();
-    let events = events(formula);
-    if events.is_empty() {
-        let shown = here.keys().all(|sensor| scene.readings(*sensor, faults).is_some());
-        return Some(vec![Tick { truth, readings: shown.then_some(compared) }]);
+/// What networks say of the events of a formula.
+struct Fused<'s, 'a> {
+    scene: &'s Scene<'a>,
+    formula: &'s Formula,
+    faults: &'s FaultSet,
+    /// Its events among its atoms.
+    atoms: Vec<usize>,
+    /// Their sensors, with whether each gives any reading.
+    sensors: Vec<(Id<Sensor>, bool)>,
+    asked: Rc<RefCell<Asked>>,
+}
+
+impl<'s, 'a> Fused<'s, 'a> {
+    fn new(scene: &'s Scene<'a>, formula: &'s Formula, faults: &'s FaultSet) -> Self {
+        let is_event = |atom: &usize| matches!(formula.atoms[*atom], Atom::Event { .. });
+        let atoms = (0..formula.atoms.len()).filter(is_event).collect();
+        let question = question(scene, &events(formula), faults);
+        let sensors = question.feeds.iter().map(|(sensor, feed)| (*sensor, feed.is_some())).collect();
+        Self { scene, formula, faults, atoms, sensors, asked: scene.fusion.about(question) }
     }
-    let is_event = |atom: &Atom| matches!(atom, Atom::Event { .. });
-    let atoms: Vec<_> = (0..formula.atoms.len()).filter(|index| is_event(&formula.atoms[*index])).collect();
-    let question = question(scene, events, faults, here);
-    let answers = scene.fusion.ask(scene.program, scene.diagram, question)?;
-    let tick = |set: u64, readings: Option<&Readings>| {
-        let events: u64 = atoms.iter().enumerate().map(|(bit, atom)| (set >> bit & 1) << atom).sum();
-        let readings = readings.and_then(|readings| merged(formula, here, &compared, readings));
-        Tick { truth: truth | events, readings }
-    };
-    Some(answers.iter().map(|answer| tick(answer.set, answer.readings.as_ref())).collect())
+
+    /// The ticks of one combination of cells: one for each joint valuation of the events; `None` where there are too many.
+    fn ticks(&self, here: &BTreeMap<Id<Sensor>, Cell>, truth: u64) -> Option<Vec<Tick>> {
+        let compared: Readings = here.iter().map(|(sensor, (_, at))| (*sensor, *at)).collect();
+        if self.atoms.is_empty() {
+            let shown = here.keys().all(|sensor| self.scene.readings(*sensor, self.faults).is_some());
+            return Some(vec![Tick { truth, readings: shown.then_some(compared) }]);
+        }
+        let sensors = self.sensors.iter().enumerate().filter(|(_, (_, reads))| *reads);
+        let within = sensors.filter_map(|(position, (sensor, _))| Some((position, here.get(sensor)?.0))).collect();
+        let answers = self.asked.borrow_mut().within(self.scene.program, within)?;
+        let tick = |set: u64, readings: Option<&Readings>| {
+            let events: u64 = self.atoms.iter().enumerate().map(|(bit, atom)| (set >> bit & 1) << atom).sum();
+            let readings = readings.and_then(|readings| merged(self.formula, here, &compared, readings));
+            Tick { truth: truth | events, readings }
+        };
+        Some(answers.iter().map(|answer| tick(answer.set, answer.readings.as_ref())).collect())
+    }
 }
 
 /// The events of a formula.
@@ -212,27 +236,20 @@ pub(super) fn events(formula: &Formula) -> Vec<(u32, u32)> {
     events.collect()
 }
 
-/// What to ask of some events while compared sensors read here.
-fn question(
-    scene: &Scene<'_>,
-    events: Vec<(u32, u32)>,
-    faults: &FaultSet,
-    here: &BTreeMap<Id<Sensor>, Cell>,
-) -> Question {
+/// What to ask of some events.
+fn question(scene: &Scene<'_>, events: &[(u32, u32)], faults: &FaultSet) -> Question {
     let sensors: BTreeSet<_> =
         events.iter().flat_map(|(sense, _)| &scene.diagram.senses[*sense as usize].inputs).copied().collect();
-    let feed = |sensor: Id<Sensor>| {
-        let whole = scene.readings(sensor, faults);
-        (sensor, whole.map(|whole| here.get(&sensor).map_or(whole, |(cell, _)| *cell)))
-    };
-    Question { events, feeds: sensors.into_iter().map(feed).collect() }
+    let feeds = sensors.into_iter().map(|sensor| (sensor, scene.readings(sensor, faults))).collect();
+    let events = events.iter().map(|(sense, event)| (scene.senses[*sense as usize], *event)).collect();
+    Question { events, feeds }
 }
 
 /// Whether some events can be set together under some faults as ever.
 pub(super) fn is_fused_alike(scene: &Scene<'_>, events: &[(u32, u32)], faults: &FaultSet) -> bool {
     let sets = |faults: &FaultSet| {
-        let question = question(scene, events.to_vec(), faults, &BTreeMap::new());
-        let answers = scene.fusion.ask(scene.program, scene.diagram, question)?;
+        let asked = scene.fusion.about(question(scene, events, faults));
+        let answers = asked.borrow_mut().within(scene.program, Vec::new())?;
         Some(answers.iter().map(|answer| answer.set).collect::<BTreeSet<_>>())
     };
     events.is_empty() || sets(&FaultSet::new()).is_some_and(|healthy| sets(faults) == Some(healthy))

@@ -40,7 +40,7 @@ pub(in crate::analysis) fn valuations(
 }
 
 impl Model {
-    fn joined(program: &Program, events: &[Fed<'_>], feeds: &Feeds) -> Option<Self> {
+    pub(super) fn joined(program: &Program, events: &[Fed<'_>], feeds: &Feeds) -> Option<Self> {
         let positions: BTreeMap<_, _> =
             feeds.iter().zip(0..).map(|((sensor, _), position)| (*sensor, position)).collect();
         let mut literals: Vec<Vec<Named>> = vec![Vec::new(); feeds.len()];

@@ -140,17 +140,31 @@ impl Known {
     }
 }
 
-struct Search<'a> {
+/// What is searched for statuses that events can have together.
+pub(super) struct Search<'a> {
     model: &'a Model,
     states: &'a [usize],
     known: Known,
     bounds: Bounds,
+    limits: Vec<Limit>,
+}
+
+/// A limit to where an input is in a cell.
+struct Limit {
+    /// The limit, and the cell.
+    reason: [Proposition; 2],
+    inequality: Inequality,
 }
 
 impl<'a> Search<'a> {
+    /// Everything that the inputs can read in these states.
+    pub(super) fn over(model: &'a Model, states: &'a [usize]) -> Self {
+        Self::new(model, states, Known::new(model))
+    }
+
     fn new(model: &'a Model, states: &'a [usize], mut known: Known) -> Self {
         let bounds = Bounds::new(model, states, &mut known.solver);
-        let mut search = Self { model, states, known, bounds };
+        let mut search = Self { model, states, known, bounds, limits: Vec::new() };
         for position in 0..model.events.len() {
             search.demand_event(position, model.loose(position), true);
             search.demand_event(position, &model.events[position], false);
@@ -210,16 +224,22 @@ impl<'a> Search<'a> {
 
     /// Finds one more valuation, if there is one.
     fn find(&mut self) -> bool {
+        let order: Vec<_> = (0..self.bounds.unknowns()).collect();
+        let Some((set, left)) = self.next(&order) else { return false };
+        let witness = self.witness(&left.values());
+        let is_sure = self.model.flags(self.states, &witness).as_ref() == Some(&set);
+        self.known.found(set, is_sure.then_some(witness));
+        true
+    }
+
+    /// Statuses that nothing excludes, and what is left of the inequalities once places and levels are eliminated in some
+    /// order.
+    pub(super) fn next(&mut self, order: &[usize]) -> Option<(Vec<bool>, linear::Eliminated)> {
         while self.known.solver.holds(&[]) {
             let set: Vec<_> = self.known.set.iter().map(|&set| self.known.solver.value(set)).collect();
             let (inequalities, reasons) = self.inequalities(&set);
-            match linear::solve(self.bounds.unknowns(), inequalities) {
-                Ok(values) => {
-                    let witness = self.witness(&values);
-                    let is_sure = self.model.flags(self.states, &witness).as_ref() == Some(&set);
-                    self.known.found(set, is_sure.then_some(witness));
-                    return true;
-                }
+            match linear::eliminate(order.iter().copied(), inequalities) {
+                Ok(left) => return Some((set, left)),
                 Err(because) => {
                     let mut clause: Vec<_> = because.iter().flat_map(|&reason| &reasons[reason]).map(|&p| !p).collect();
                     clause.sort_unstable();
@@ -228,10 +248,11 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        false
+        None
     }
 
-    /// What the bounds of the model found last say of places and levels, with the propositions each follows from.
+    /// What the bounds and limits of the model found last say of places and levels, with the propositions each follows
+    /// from.
     fn inequalities(&self, set: &[bool]) -> (Vec<Inequality>, Vec<Vec<Proposition>>) {
         let mut inequalities = self.bounds.domains();
         let mut reasons = Vec::new();
@@ -241,6 +262,10 @@ impl<'a> Search<'a> {
                 inequalities.push(inequality);
                 reasons.push(reason);
             }
+        }
+        for limit in self.limits.iter().filter(|limit| limit.reason.iter().all(|&p| self.known.solver.value(p))) {
+            inequalities.push(Inequality { because: vec![reasons.len()], ..limit.inequality.clone() });
+            reasons.push(limit.reason.to_vec());
         }
         (inequalities, reasons)
     }
@@ -269,9 +294,42 @@ impl<'a> Search<'a> {
         (Inequality { factors, constant, strict: bound.when_set, because: vec![number] }, reason)
     }
 
-    fn witness(&self, values: &[Fraction]) -> Witness {
+    /// The cell that an input is in, in the model found last.
+    pub(super) fn chosen(&self, input: usize) -> usize {
+        self.bounds.chosen(&self.known.solver, input)
+    }
+
+    pub(super) fn unknowns(&self) -> usize {
+        self.bounds.unknowns()
+    }
+
+    /// Excludes statuses while an input is in a cell between these places, each with whether it is left out.
+    pub(super) fn exclude(
+        &mut self,
+        set: &[bool],
+        (input, cell): (usize, usize),
+        (from, to): (&(Fraction, bool), &(Fraction, bool)),
+    ) {
+        let other = self.known.set.iter().zip(set).map(|(&status, &set)| if set { !status } else { status });
+        let here = self.bounds.cells[input][cell];
+        let mut clause: Vec<_> = other.chain([!here]).collect();
+        let ends = [(from, Fraction::ZERO, -1), (to, Fraction::ONE, 1)];
+        for ((place, is_left_out), end, sign) in ends {
+            if *place != end {
+                let proposition = self.known.solver.proposition();
+                let constant = if sign < 0 { place.clone() } else { -place };
+                let factors = vec![(input, Fraction::from(sign))];
+                let inequality = Inequality { factors, constant, strict: !is_left_out, because: Vec::new() };
+                self.limits.push(Limit { reason: [proposition, here], inequality });
+                clause.push(proposition);
+            }
+        }
+        self.known.solver.demand(clause);
+    }
+
+    pub(super) fn witness(&self, values: &[Fraction]) -> Witness {
         let readings = self.model.inputs.iter().enumerate().map(|(position, input)| {
-            let cell = &input.sensors[self.states[position]].cells[self.bounds.chosen(&self.known.solver, position)];
+            let cell = &input.sensors[self.states[position]].cells[self.chosen(position)];
             Some(Reading { fraction: cell.reading(&values[position])?, pi: input.pi })
         });
         Witness { readings: readings.collect() }

@@ -70,12 +70,22 @@ impl Inequality {
     }
 }
 
-/// Values for unknowns `0..unknowns` that meet all inequalities, each halfway between its bounds; or why there are none:
-/// what some inequalities that contradict each other follow from. Every unknown must be bounded on both sides.
-pub(super) fn solve(unknowns: usize, inequalities: Vec<Inequality>) -> Result<Vec<Fraction>, Vec<usize>> {
+/// Inequalities that can be met, with every unknown eliminated after the other.
+pub(super) struct Eliminated {
+    /// In the order of elimination: an unknown, and what bounds it from below and from above once those after it are
+    /// known.
+    bounds: Vec<(usize, Vec<Inequality>, Vec<Inequality>)>,
+}
+
+/// Eliminates the unknowns in some order, each once; or says why nothing meets the inequalities: what some that contradict
+/// each other follow from. Every unknown must be bounded on both sides.
+pub(super) fn eliminate(
+    order: impl IntoIterator<Item = usize>,
+    inequalities: Vec<Inequality>,
+) -> Result<Eliminated, Vec<usize>> {
     let mut rest = tightest(inequalities)?;
-    let mut bounds = Vec::with_capacity(unknowns);
-    for unknown in 0..unknowns {
+    let mut bounds = Vec::new();
+    for unknown in order {
         let (bounding, others): (Vec<_>, Vec<_>) =
             rest.into_iter().partition(|inequality| !inequality.factor(unknown).is_zero());
         let (upper, lower): (Vec<_>, Vec<_>) =
@@ -83,19 +93,49 @@ pub(super) fn solve(unknowns: usize, inequalities: Vec<Inequality>) -> Result<Ve
         let pairs = lower.iter().flat_map(|lower| upper.iter().map(move |upper| (lower, upper)));
         let combined = pairs.map(|(lower, upper)| Inequality::without(unknown, lower, upper));
         rest = tightest(combined.chain(others))?;
-        bounds.push((lower, upper));
+        bounds.push((unknown, lower, upper));
     }
-    let mut values = vec![Fraction::ZERO; unknowns];
-    for (unknown, (lower, upper)) in bounds.iter().enumerate().rev() {
-        let low = lower.iter().map(|inequality| inequality.bound(unknown, &values)).max();
-        let high = upper.iter().map(|inequality| inequality.bound(unknown, &values)).min();
-        values[unknown] = match (low, high) {
-            (Some(low), Some(high)) => low.halfway(&high),
-            (Some(one), None) | (None, Some(one)) => one,
-            (None, None) => Fraction::ZERO,
-        };
+    Ok(Eliminated { bounds })
+}
+
+impl Eliminated {
+    /// Values that meet all, each halfway between its bounds.
+    pub(super) fn values(&self) -> Vec<Fraction> {
+        self.values_with(None)
     }
-    Ok(values)
+
+    /// The same for a value of the last unknown at one of its bounds or between them; at a bound that leaves the value
+    /// out, the limit.
+    pub(super) fn values_at(&self, last: &Fraction) -> Vec<Fraction> {
+        self.values_with(Some(last))
+    }
+
+    fn values_with(&self, last: Option<&Fraction>) -> Vec<Fraction> {
+        let mut values = vec![Fraction::ZERO; self.bounds.len()];
+        for (later, (unknown, lower, upper)) in self.bounds.iter().rev().enumerate() {
+            if let Some(last) = last.filter(|_| later == 0) {
+                values[*unknown] = last.clone();
+                continue;
+            }
+            let low = lower.iter().map(|inequality| inequality.bound(*unknown, &values)).max();
+            let high = upper.iter().map(|inequality| inequality.bound(*unknown, &values)).min();
+            values[*unknown] = match (low, high) {
+                (Some(low), Some(high)) => low.halfway(&high),
+                (Some(one), None) | (None, Some(one)) => one,
+                (None, None) => Fraction::ZERO,
+            };
+        }
+        values
+    }
+
+    /// The bounds of the last unknown, each with whether it leaves the value out.
+    pub(super) fn last(&self) -> Option<((Fraction, bool), (Fraction, bool))> {
+        let (unknown, lower, upper) = self.bounds.last()?;
+        let bound = |inequality: &Inequality| (inequality.bound(*unknown, &[]), inequality.strict);
+        let low = lower.iter().map(bound).max()?;
+        let high = upper.iter().map(bound).min_by(|one, other| (&one.0, other.1).cmp(&(&other.0, one.1)))?;
+        Some((low, high))
+    }
 }
 
 /// The inequalities without those that a parallel one makes needless.
@@ -141,7 +181,7 @@ mod tests {
             inequality(&[(0, -2), (1, 1)], 0, true, 2),
             inequality(&[(1, -1)], 3, false, 3),
         ];
-        let values = solve(2, system.clone()).unwrap();
+        let values = eliminate(0..2, system.clone()).unwrap().values();
         for inequality in &system {
             let sum = inequality.factors.iter().map(|(unknown, factor)| &values[*unknown] * factor);
             let sum = sum.fold(inequality.constant.clone(), |sum, part| &sum + &part);
@@ -150,6 +190,6 @@ mod tests {
         }
         // x >= 4/3 touches y > 2 x and x + y <= 4 in one point that the strict one leaves out.
         system.push(inequality(&[(0, 3)], -4, false, 4));
-        assert_eq!(solve(2, system).unwrap_err(), [1, 2, 4]);
+        assert_eq!(eliminate(0..2, system).err().unwrap(), [1, 2, 4]);
     }
 }

@@ -27,12 +27,13 @@ mod slices;
 mod solver;
 mod strength;
 mod survivors;
+mod sweep;
 mod witness;
 
 pub use engine::Method;
 pub use event::{EventFacts, RuleFacts, Verdict};
 pub use faults::{Fault, FaultSet, fault_sets};
-pub(super) use joined::{Fed, Feeds, valuations};
+pub(super) use joined::{Fed, valuations};
 pub use joint::Valuation;
 pub use likeness::Relation;
 pub use margin::Comparison;
@@ -40,6 +41,7 @@ pub use model::{Feed, Model};
 pub use proof::Proof;
 pub use question::Question;
 pub use survivors::{SingleRule, Survivors};
+pub(super) use sweep::{Sweep, readings};
 pub use witness::{Reading, Witness};
 
 use std::collections::HashMap;
