@@ -36,8 +36,8 @@ pub type Origin = (usize, Option<usize>);
 /// More modes than this are not looked into.
 const MOST_LEAVES: usize = 1 << 12;
 
-/// A diagram as a flat one, with some conditions that are watched from outside. `None` where something is broken, where
-/// an outer mode requires a sensor, or where there are too many modes.
+/// A diagram as a flat one, with some conditions that are watched from outside. `None` where something is broken, or where
+/// there are too many modes.
 pub fn flatten(program: &Program, diagram: Id<Diagram>, watched: &[Id<Expr>]) -> Option<Flat> {
     let paths = paths(program, diagram)?;
     let mut flattening =
@@ -70,7 +70,6 @@ fn paths(program: &Program, diagram: Id<Diagram>) -> Option<Vec<Vec<Id<Mode>>>> 
         for (id, mode) in diagram.modes.iter() {
             let path = [path.as_slice(), &[id]].concat();
             match mode.runs {
-                Some(_) if !mode.requires.is_empty() => return None,
                 Some(run) => waiting.push((path, run.diagram)),
                 None => paths.push(path),
             }
@@ -146,15 +145,14 @@ impl<'a> Flattening<'a> {
             let place = self.place(path, depth, diagram)?;
             let inside = |target: Id<Mode>| [&path[..depth], &[target]].concat();
             if let Some(otherwise) = mode.otherwise.filter(|_| !mode.requires.is_empty()) {
-                let failed = mode.requires.iter().map(|(sensor, span)| (Op::Failed(self.sensor(*sensor)), *span));
-                let failed: Vec<_> = failed.collect();
-                let failed = failed.into_iter().map(|(op, span)| self.truth(op, span)).collect();
-                let condition = self.truth(Op::Or(failed), mode.symbol.span);
+                let failed = self.lacks_sensor(mode);
+                let condition = self.entering(diagram, otherwise, failed);
                 transitions.push(Self::exit(condition, *self.enters(&inside(otherwise))?.first()?, mode.symbol.span));
                 from.push((depth, None));
             }
             for (index, transition) in mode.transitions.iter().enumerate() {
                 let condition = self.condition(&place, transition.condition)?;
+                let condition = self.entering(diagram, transition.target?, condition);
                 let targets = self.enters(&inside(transition.target?))?;
                 let (first, others) = targets.split_first()?;
                 for other in others {
@@ -175,6 +173,27 @@ impl<'a> Flattening<'a> {
         let requires = innermost.requires.iter().map(|(sensor, span)| (self.sensor(*sensor), *span)).collect();
         let incomplete = layers.iter().any(|(_, mode)| mode.incomplete);
         Some((Mode { symbol, requires, otherwise: None, transitions, incomplete, ..innermost.clone() }, from))
+    }
+
+    /// A condition on which a mode is entered, which one that runs a diagram and lacks a sensor is not. Of innermost modes
+    /// the flat ones say what they require.
+    fn entering(&mut self, diagram: Id<Diagram>, target: Id<Mode>, condition: Id<Expr>) -> Id<Expr> {
+        let program = self.program;
+        let mode = &program.diagrams[diagram].modes[target];
+        if mode.runs.is_none() || mode.requires.is_empty() {
+            return condition;
+        }
+        let span = self.flat.exprs[condition].span;
+        let lacks = self.lacks_sensor(mode);
+        let has = self.truth(Op::Not(lacks), span);
+        self.truth(Op::And(vec![condition, has]), span)
+    }
+
+    /// Whether some sensor that a mode requires has failed.
+    fn lacks_sensor(&mut self, mode: &Mode) -> Id<Expr> {
+        let failed: Vec<_> = mode.requires.iter().map(|(sensor, span)| (self.sensor(*sensor), *span)).collect();
+        let failed = failed.into_iter().map(|(sensor, span)| self.truth(Op::Failed(sensor), span)).collect();
+        self.truth(Op::Or(failed), mode.symbol.span)
     }
 
     fn exit(condition: Id<Expr>, target: Id<Mode>, span: Span) -> Transition {
