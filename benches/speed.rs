@@ -7,7 +7,7 @@ use divan::{Bencher, black_box, counter::ItemsCount};
 use lmslc::base::{FileId, Id};
 use lmslc::driver::{Analysis, FileError, Files, Options, analyze};
 use lmslc::interp::{Actuators, Columns, Evaluator, Inputs, Machine, Reading};
-use lmslc::sim::{self, RunOptions};
+use lmslc::sim::{self, RunOptions, Simulation};
 use lmslc::syntax::{ast::FileKind, parse};
 use lmslc::{plan, report};
 
@@ -124,6 +124,20 @@ fn simulate_a_minute_of_the_car(bencher: Bencher) {
     let scenario = &analysis.program.scenarios[Id::new(0)];
     let plan = plan::build_scenario(analysis.checked().unwrap(), scenario);
     bencher.bench(|| sim::run(&analysis.program, &plan, scenario, &RunOptions::default()).unwrap());
+}
+
+/// A way on a map of 100 m by 100 m around seven obstacles.
+#[divan::bench]
+fn plan_a_way(bencher: Bencher) {
+    let analysis = check(&minute_of_the_car());
+    let program = &analysis.program;
+    let mut car = Simulation::new(program, &program.scenarios[Id::new(0)], [].iter(), 1).unwrap();
+    let robot = program.robots.values().find(|robot| robot.symbol.name == "car").unwrap();
+    let plan = robot.actions.iter().position(|action| program.actions[*action].symbol.name == "plan").unwrap() as u32;
+    bencher.bench_local(|| {
+        car.command(plan, &[], true);
+        car.advance(1);
+    });
 }
 
 #[divan::bench]
