@@ -12,10 +12,11 @@ scenario j5_pushes runs push on j5 {
 }
 
 scenario scout_pushes runs push on scout {
-    duration 20 s
+    duration 40 s
     place box mass 5 kg size (0.3 m, 0.3 m) at 0.75 m ahead
     place box mass 40 kg size (0.3 m, 0.3 m) at 1.3 m ahead
-    expect modes approach, push, back_up, turn_away
+    expect modes approach, push, back_up, turn_away, approach
     expect never overloaded before 6 s
     expect overloaded
+    expect y > 1 m
 }

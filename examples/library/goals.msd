@@ -17,10 +17,21 @@ scenario labmate_seeks_the_goal runs seek_goal on labmate in furnished {
 scenario scout_seeks_the_goal runs seek_goal on scout in furnished {
     duration 3 min
     tick 20 ms
-    place robot at (1.5 m, 4 m)
+    place robot at (1.5 m, 4 m) heading -90 deg
     expect arrive
     expect goal_distance < 60 cm
     expect never bumper
+}
+
+/// From the other side, the goal behind it on its right.
+scenario labmate_turns_to_the_goal runs seek_goal on labmate in furnished {
+    duration 3 min
+    tick 20 ms
+    place robot at (1.5 m, 4.8 m) heading 90 deg
+    expect turn_left
+    expect arrive
+    expect goal_distance < 60 cm
+    expect never front_bumper or back_bumper
 }
 
 /// It does not know where the goal is for a while, and waits.

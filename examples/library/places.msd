@@ -29,5 +29,5 @@ world corridor {
 world pocket {
     wall (0 m, 0 m) -> (10 m, 0 m) -> (10 m, 8 m) -> (0 m, 8 m) -> (0 m, 0 m)
     wall (3.5 m, 2.2 m) -> (6.5 m, 2.2 m) -> (6.5 m, 5.8 m) -> (3.5 m, 5.8 m)
-    goal (8.5 m, 4 m)
+    goal (7.5 m, 4 m)
 }

@@ -14,6 +14,7 @@ scenario labmate_follows_the_wall runs follow_wall on labmate in angled {
     expect x < 1.5 m and y > 2.5 m
     expect x < 1.5 m and y < 1.5 m
     expect never x < 5 m and y > 4 m
+    expect never right < 30 cm
     expect never front_bumper or back_bumper
 }
 
@@ -26,6 +27,7 @@ scenario scout_follows_the_wall runs follow_wall on scout in angled {
     expect x < 1.5 m and y > 2.5 m
     expect x < 1.5 m and y < 1.5 m
     expect never x < 5 m and y > 4 m
+    expect never right < 30 cm
     expect never bumper
 }
 

@@ -9,7 +9,7 @@ activity patrol_area on ranging_base {
     entry along
 
     mode along = follow_wall {
-        1: after 90 s -> look
+        1: after 3 min -> look
     }
     /// Four quarter turns.
     mode look = turn {

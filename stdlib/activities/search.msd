@@ -5,23 +5,22 @@ import std.behaviors.halt
 import std.behaviors.seek_goal
 import std.interfaces.located_base
 
-/// Explores until its goal is near, goes there and docks.
+/// Explores until its goal is near, goes there and docks; explores on where that takes too long.
 activity search on located_base {
     flag near = goal_distance < 2.5 m
-    flag lost = goal_distance > 4 m or failed(goal_distance) or failed(goal_bearing)
 
     entry explore
 
     mode explore = explore {
-        1: held(near, 500 ms) -> approach
+        1: held(near, 500 ms) and after 20 s -> approach
     }
     mode approach = seek_goal {
-        1: done            -> dock
-        2: held(lost, 5 s) -> explore
+        1: done        -> dock
+        2: after 1 min -> explore
     }
     mode dock = dock {
-        1: done            -> found
-        2: held(lost, 5 s) -> explore
+        1: done        -> found
+        2: after 1 min -> explore
     }
     final mode found = halt
 }

@@ -12,8 +12,7 @@ behavior follow_wall on ranging_base {
     /// Straight ahead, until there is a wall.
     mode seek {
         drive(25 cm/s)
-        1: blocked or walled -> corner
-        2: not far           -> along
+        1: blocked or walled or not far -> along
     }
     mode along {
         decide (near, far) {
@@ -23,10 +22,9 @@ behavior follow_wall on ranging_base {
         }
         1: blocked or walled -> corner
     }
-    /// To the left, until there is room ahead.
+    /// To the left, again and again until there is room ahead.
     mode corner {
         turn(20 deg)
-        1: done and (blocked or walled) -> again
-        2: done                         -> along
+        1: done -> along
     }
 }

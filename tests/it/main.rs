@@ -28,6 +28,7 @@ mod golden;
 mod golden_reader;
 mod groups;
 mod layers;
+mod library;
 mod limits;
 mod lsp;
 mod modes;

@@ -1,5 +1,6 @@
 //! The run from above, to scale (LMSL fig. 10): where the robot went and what it moved.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use super::scale::Scale;
@@ -11,6 +12,12 @@ use crate::view::svg::{Anchor, Px, Svg, width_of};
 const HEIGHT: (f64, f64) = (150.0, 400.0);
 /// What stays free around everything, px.
 const MARGIN: f64 = 16.0;
+/// A robot drawn smaller than this is a speck, px: a ring shows where it started, and dots where the mode changed.
+const SPECK: f64 = 12.0;
+/// The radius of that ring, px.
+const RING: f64 = 5.0;
+/// The radius of a dot, px.
+const DOT: f64 = 2.8;
 /// The most changes of mode that are shown with an outline and a name; more have dots.
 const OUTLINES: usize = 12;
 /// The most dots.
@@ -127,6 +134,10 @@ impl View {
     fn outline(&self, body: &Footprint, pose: Pose) -> String {
         self.line(pose.corners(body).into_iter(), 0.0) + "Z"
     }
+
+    fn is_speck(&self, body: &Footprint) -> bool {
+        self.px(body.length.max(body.width)) < SPECK
+    }
 }
 
 /// Draws the view from above, where the trace says where anything was.
@@ -148,11 +159,18 @@ pub(super) fn draw(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace) {
     panel.vertical_axis(svg, view.y, (panel.height() / 36.0).max(2.0), "y (m)");
     panel.horizontal_axis(svg, view.x, 10.0, "x (m)");
 
+    if !trace.hits.is_empty() {
+        // One for each cell of 2 px, as wide as a speck: more would show nothing more.
+        let cells: BTreeSet<_> = trace
+            .hits
+            .iter()
+            .map(|&hit| view.at(hit))
+            .map(|(x, y)| ((x / 2.0).round() as i64, (y / 2.0).round() as i64))
+            .collect();
+        svg.shape("hit", &specks(cells.into_iter().map(|(x, y)| (x as f64 * 2.0, y as f64 * 2.0))));
+    }
     for wall in &trace.walls {
         svg.shape("wall", &view.line(wall.iter().copied(), 0.0));
-    }
-    if !trace.hits.is_empty() {
-        svg.shape("hit", &specks(trace.hits.iter().map(|&hit| view.at(hit))));
     }
     if let Some(goal) = trace.goal.filter(|goal| goal.iter().all(|coordinate| coordinate.is_finite())) {
         svg.shape("goal", &cross(view.at(goal)));
@@ -174,7 +192,8 @@ pub(super) fn draw(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace) {
         svg.text("halo", (x, y + 4.0), Anchor::Middle, &format!("{} kg", track.body.mass));
         svg.raw("</g>");
     }
-    legend(svg, &panel, trace, robot.as_ref(), !boxes.is_empty(), changes.len());
+    let is_speck = robot.as_ref().is_some_and(|robot| view.is_speck(robot.body));
+    legend(svg, &panel, trace, robot.as_ref().map(|_| is_speck), !boxes.is_empty(), changes.len());
     panel.frame(svg);
     sheet.skip(40.0);
 }
@@ -182,9 +201,11 @@ pub(super) fn draw(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace) {
 fn draw_robot(svg: &mut Svg, view: &View, robot: &Track<'_>, changes: &[(Pose, &str)]) {
     let Some((start, end)) = robot.ends() else { return };
     let body = robot.body;
-    svg.shape("start", &view.outline(body, start));
+    let is_speck = view.is_speck(body);
+    let at_start = if is_speck { ring(view.at([start.x, start.y]), RING) } else { view.outline(body, start) };
+    svg.shape("start", &at_start);
     let named = if changes.len() <= OUTLINES { changes } else { &[] };
-    for (pose, _) in named {
+    for (pose, _) in named.iter().filter(|_| !is_speck) {
         svg.shape("then", &view.outline(body, *pose));
     }
     svg.shape("robot", &view.outline(body, end));
@@ -198,8 +219,7 @@ fn draw_robot(svg: &mut Svg, view: &View, robot: &Track<'_>, changes: &[(Pose, &
     }
     svg.shape("path", &path);
     for (pose, _) in changes {
-        let (x, y) = view.at([pose.x, pose.y]);
-        svg.shape("dot", &dot(x, y));
+        svg.shape("dot", &ring(view.at([pose.x, pose.y]), DOT));
     }
     let mut labels: Vec<(f64, f64, f64)> = Vec::new();
     for (pose, mode) in named {
@@ -222,8 +242,9 @@ fn arrow(view: &View, body: &Footprint, pose: Pose) -> String {
     view.line(points.into_iter().map(|(ahead, left)| pose.point(ahead, left)), 0.0)
 }
 
-fn dot(x: f64, y: f64) -> String {
-    format!("M{} {}a2.8 2.8 0 1 0 5.6 0a2.8 2.8 0 1 0 -5.6 0", Px(x - 2.8), Px(y))
+fn ring((x, y): (f64, f64), radius: f64) -> String {
+    let (left, radius, across) = (Px(x - radius), Px(radius), Px(2.0 * radius));
+    format!("M{left} {}a{radius} {radius} 0 1 0 {across} 0a{radius} {radius} 0 1 0 -{across} 0", Px(y))
 }
 
 /// Points, which the line's round ends make visible.
@@ -262,11 +283,13 @@ fn bounds(
     Some(([left, bottom], [right, top]))
 }
 
-fn legend(svg: &mut Svg, panel: &Panel, trace: &Trace, robot: Option<&Track<'_>>, boxes: bool, changes: usize) {
+/// `robot` says whether it is a speck, where there is one.
+fn legend(svg: &mut Svg, panel: &Panel, trace: &Trace, robot: Option<bool>, boxes: bool, changes: usize) {
+    let is_speck = robot == Some(true);
     let entries = [
         (robot.is_some(), "path", "path of the robot"),
         (robot.is_some(), "start", "robot at the start"),
-        (changes > 0, if changes <= OUTLINES { "then" } else { "dot" }, "where the mode changed"),
+        (changes > 0, if changes > OUTLINES || is_speck { "dot" } else { "then" }, "where the mode changed"),
         (robot.is_some(), "robot", "robot at the end"),
         (boxes, "was", "box at the start"),
         (boxes, "box", "box at the end"),
@@ -280,7 +303,8 @@ fn legend(svg: &mut Svg, panel: &Panel, trace: &Trace, robot: Option<&Track<'_>>
         let sample = match class {
             "path" | "wall" => format!("M{x:.1} {y:.1}h18"),
             "goal" => cross((x + 9.0, y)),
-            "dot" => dot(x + 9.0, y),
+            "dot" => ring((x + 9.0, y), DOT),
+            "start" if is_speck => ring((x + 9.0, y), RING),
             "hit" => specks([4.0, 9.0, 14.0].into_iter().map(|along| (x + along, y))),
             _ => format!("M{:.1} {:.1}h18v9h-18Z", x, y - 4.5),
         };

@@ -81,8 +81,13 @@ fn sensors(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace, columns: &[&Column])
     for (index, (column, color)) in columns.iter().zip(COLORS).enumerate() {
         // Where the two wheels of a robot do the same, the thinner one leaves the other visible.
         let width = if index == 0 && columns.len() == 2 { 2.4 } else { 1.2 };
-        svg.path("", color, width, &curve(points(sheet, trace, column, scale), sheet.bucket));
-        panel.legend_curve(svg, index, (color, width), &column.name);
+        let data = curve(points(sheet, trace, column, scale), sheet.bucket);
+        if data.is_empty() {
+            panel.legend_name(svg, index, "quiet", &format!("{}: none", column.name));
+        } else {
+            svg.path("", color, width, &data);
+            panel.legend_curve(svg, index, (color, width), &column.name);
+        }
     }
     panel.frame(svg);
     panel
@@ -169,8 +174,7 @@ fn modes(svg: &mut Svg, sheet: &mut Sheet, trace: &Trace, title: &str, names: &[
         let y = scale.px(number as f64);
         svg.line("grid", (panel.left, y), (panel.right, y));
         svg.text("", (panel.left - 7.0, y + 4.0), Anchor::End, &number.to_string());
-        let innermost = name.rsplit('.').next().unwrap_or(name);
-        svg.cut_text("", (panel.left - 27.0, y + 4.0), Anchor::End, innermost, MODE_NAME);
+        svg.cut_text("", (panel.left - 27.0, y + 4.0), Anchor::End, name, MODE_NAME);
     }
     panel.legend_name(svg, 0, "name", title);
     let ticks = trace.times.iter().zip(active);

@@ -36,7 +36,7 @@ pub(super) struct Panel {
 
 impl Sheet {
     pub(super) fn new(trace: &Trace) -> Self {
-        let names = trace.modes.iter().map(|mode| width_of(mode)).fold(0.0, f64::max);
+        let names = trace.modes.iter().chain(&trace.places).map(|name| width_of(name)).fold(0.0, f64::max);
         let left = EDGE + (names.min(MODE_NAME) + 54.0).max(84.0);
         let right = WIDTH - EDGE - LEGEND;
         let duration = trace.times.last().map_or(0.0, |&time| seconds(time));
