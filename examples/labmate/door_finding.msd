@@ -2,36 +2,29 @@
 
 import std.robots.labmate
 
-/// Along the hallway, to where the sonars see farthest: through openings, and past them.
+/// Along the hallway, to the widest opening the sonars see.
 behavior door_finding on labmate {
-    flag walled    = sonar[23] < 1.3 m or sonar[0] < 1.3 m
-    flag open      = sonar[23] > 1.8 m and sonar[0] > 1.8 m
-    flag leftward  = reach_left > reach_right
     /// Heading across the hallway, or back.
     flag too_left  = heading > 60 deg
     flag too_right = heading < -60 deg
+    flag leftward  = opening > 10 deg
+    flag rightward = opening < -10 deg
 
-    entry onward
+    entry search
 
-    mode onward {
-        go_frwd(0 inch)
-        1: lost                            -> pass
-        2: walled or too_left or too_right -> search
-    }
     mode search {
-        decide (too_left, too_right, leftward) {
-            (set,   set,   _    ) => nothing
-            (set,   clear, _    ) => turn_right(10 deg)
-            (clear, set,   _    ) => turn_left(10 deg)
-            (clear, clear, set  ) => turn_left(10 deg)
-            (clear, clear, clear) => turn_right(10 deg)
+        decide (too_left, too_right, leftward, rightward) {
+            (set,   _,     _,     _    ) => turn_right(10 deg)
+            (clear, set,   _,     _    ) => turn_left(10 deg)
+            (clear, clear, set,   _    ) => turn_left(10 deg)
+            (clear, clear, clear, set  ) => turn_right(10 deg)
+            (clear, clear, clear, clear) => go_frwd(0 inch)
         }
-        1: lost                                    -> pass
-        2: open and not too_left and not too_right -> onward
+        1: lost -> pass
     }
     /// Another client has turned it away: on for a while, past what was close.
     mode pass {
         go_frwd(0 inch)
-        1: held(not lost, 2 s) -> onward
+        1: held(not lost, 2 s) -> search
     }
 }

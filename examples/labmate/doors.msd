@@ -3,7 +3,7 @@ import std.behaviors.collision_avoidance
 import std.robots.labmate
 import worlds
 
-/// Experiment 3 (Sobh et al. 2000): through the doors of a hallway.
+/// Experiment 3 (Sobh et al. 2000): through the doors of a hallway; with all seeds from 1 to 100 through both.
 arbiter passing on labmate {
     emergency rising(front_bumper) -> brake()
     emergency rising(back_bumper)  -> brake()

@@ -13,11 +13,20 @@ world lab {
     goal (8.2 m, 4.6 m)
 }
 
-/// A hallway of 15 m by 4 m with two doors across it, each in a wall as thick as a hand is long.
+/// A hallway of 15 m by 4 m, and across it two walls as thick as a hand is long, each with an open door in both faces.
 world hallway {
     wall (0 m, 0 m) -> (15 m, 0 m) -> (15 m, 4 m) -> (0 m, 4 m) -> (0 m, 0 m)
-    wall (5 m, 0 m) -> (5 m, 0.6 m) -> (5.2 m, 0.6 m) -> (5.2 m, 0 m)
-    wall (5 m, 4 m) -> (5 m, 2.4 m) -> (5.2 m, 2.4 m) -> (5.2 m, 4 m)
-    wall (10 m, 0 m) -> (10 m, 1.6 m) -> (10.2 m, 1.6 m) -> (10.2 m, 0 m)
-    wall (10 m, 4 m) -> (10 m, 3.4 m) -> (10.2 m, 3.4 m) -> (10.2 m, 4 m)
+    wall (5 m, 0 m) -> (5 m, 4 m)
+    wall (5.2 m, 0 m) -> (5.2 m, 4 m)
+    door at (5 m, 1.5 m) width 1.8 m heading 90 deg open
+    door at (5.2 m, 1.5 m) width 1.8 m heading 90 deg open
+    wall (10 m, 0 m) -> (10 m, 4 m)
+    wall (10.2 m, 0 m) -> (10.2 m, 4 m)
+    door at (10 m, 2.5 m) width 1.8 m heading 90 deg open
+    door at (10.2 m, 2.5 m) width 1.8 m heading 90 deg open
+    // The jambs.
+    wall (5 m, 0.6 m) -> (5.2 m, 0.6 m)
+    wall (5 m, 2.4 m) -> (5.2 m, 2.4 m)
+    wall (10 m, 1.6 m) -> (10.2 m, 1.6 m)
+    wall (10 m, 3.4 m) -> (10.2 m, 3.4 m)
 }

@@ -23,8 +23,6 @@ const ROUGHNESS: f64 = 0.004;
 #[derive(Debug, Clone)]
 pub(super) struct Ring {
     beams: Vec<Beam>,
-    /// The distance at which each beam sees something, or its limit, m from its apex.
-    nearest: Vec<f64>,
     /// What is farther than this is not seen, m from an apex.
     limit: f64,
     /// Half the width of a beam, rad.
@@ -42,8 +40,12 @@ struct Beam {
     way: Vector2<f64>,
     /// m from the middle of the robot to its apex.
     offset: f64,
+    /// Its apex.
+    apex: Vector2<f64>,
     /// The normals of its sides, inward.
     sides: [Vector2<f64>; 2],
+    /// The distance at which it sees something, or its limit, m from its apex.
+    nearest: f64,
 }
 
 impl Ring {
@@ -52,6 +54,7 @@ impl Ring {
         let spacing = TAU / f64::from(of.max(1));
         let first = if of > 1 { 0.5 } else { 0.0 };
         let half_width = width / 2.0;
+        let limit = limit + INSET;
         let beam = |beam: u32| {
             let bearing = (f64::from(beam) + first) * spacing;
             let way = unit(bearing);
@@ -59,16 +62,14 @@ impl Ring {
             let left = unit(bearing + half_width - FRAC_PI_2);
             // The sides of a line are exact opposites, so that it cannot miss between them.
             let right = if width == 0.0 { -left } else { unit(bearing - half_width + FRAC_PI_2) };
-            Beam { way, offset, sides: [left, right] }
+            Beam { way, offset, apex: way * offset, sides: [left, right], nearest: limit }
         };
-        let limit = limit + INSET;
-        let beams: Vec<_> = (0..of.max(1)).map(beam).collect();
-        Self { nearest: vec![limit; beams.len()], beams, limit, half_width, density: 1.0 / spacing, first }
+        Self { beams: (0..of.max(1)).map(beam).collect(), limit, half_width, density: 1.0 / spacing, first }
     }
 
     /// The distance from the hull that a beam saw last, m, up to the limit.
     pub(super) fn distance(&self, beam: u32) -> f64 {
-        self.nearest[beam as usize] - INSET
+        self.beams[beam as usize].nearest - INSET
     }
 
     /// Where something is that a beam sees so far from the hull, m: x is ahead, y is left.
@@ -79,12 +80,13 @@ impl Ring {
 
     /// Looks around. Linear in what can be seen, and logarithmic in what there is.
     pub(super) fn look(&mut self, world: &World) {
-        self.nearest.fill(self.limit);
+        self.beams.iter_mut().for_each(|beam| beam.nearest = self.limit);
         let view = world.robot().pose;
         for one in world.boxes() {
             self.look_at_box(one, &view);
         }
-        let mut waiting = vec![(0.0, world.walls().root())];
+        let mut waiting = Vec::with_capacity(64);
+        waiting.push((0.0, world.walls().root()));
         while let Some((distance, node)) = waiting.pop() {
             // Things that were nearer may have hidden it since it was seen.
             if distance > 0.0 && !self.may_show(&node.envelope(), &view, distance) {
@@ -120,7 +122,7 @@ impl Ring {
     fn may_show(&self, around: &AABB<[f64; 2]>, view: &Isometry2<f64>, distance: f64) -> bool {
         let silhouette = silhouette(around, view).map(|corner| view.rotation.inverse_transform_vector(&corner));
         let (first, count) = self.beams_towards(silhouette);
-        self.around(first, count).any(|beam| distance < self.nearest[beam] + self.beams[beam].offset)
+        self.around(first, count).any(|beam| distance < self.beams[beam].nearest + self.beams[beam].offset)
     }
 
     /// Sees a straight line between two ends.
@@ -133,20 +135,20 @@ impl Ring {
 
     /// Sees the part of a straight line that lies within a beam.
     fn look_along(&mut self, beam: usize, ends: [Vector2<f64>; 2]) {
-        let Beam { way, offset, sides } = &self.beams[beam];
+        let Beam { way, apex, sides, nearest, .. } = &mut self.beams[beam];
         let along = ends[1] - ends[0];
         let length = along.norm_squared();
-        let ends = ends.map(|end| end - way * *offset);
+        let ends = ends.map(|end| end - *apex);
         let across = ends[0].perp(&along);
-        let nearest = &mut self.nearest[beam];
         if across * across >= *nearest * *nearest * length {
             return;
         }
         let Some((from, to)) = clip(&ends, sides) else { return };
-        let place = ends[0] + along * (-ends[0].dot(&along) / length).max(from).min(to);
+        let place = ends[0] + along * (-ends[0].dot(&along) / length).clamp(from, to);
+        let distance = place.norm();
         // The sides of a line bound what is behind it too.
-        if place.dot(way) >= 0.0 {
-            *nearest = nearest.min(place.norm());
+        if distance < *nearest && place.dot(way) >= 0.0 {
+            *nearest = distance;
         }
     }
 
@@ -166,11 +168,12 @@ impl Ring {
             return (0, self.beams.len());
         }
         let margin = self.half_width + ROUGHNESS;
-        let low = (one + span.min(0.0) - margin) * self.density - self.first;
-        let high = (one + span.max(0.0) + margin) * self.density - self.first;
+        let (right, left) = if span < 0.0 { (one + span, one) } else { (one, one + span) };
+        let low = (right - margin) * self.density - self.first;
+        let high = (left + margin) * self.density - self.first;
         // Shifted by full turns, so that cutting off is rounding down.
         let of = self.beams.len();
-        let turns = (4 * of) as f64;
+        let turns = (2 * of) as f64;
         let (below, last) = ((low + turns) as u32 as usize, (high + turns) as u32 as usize);
         let mut first = below + 1;
         while first >= of {
@@ -210,14 +213,20 @@ fn rough_bearing(way: Vector2<f64>) -> f64 {
 
 /// The part of a line that lies within both sides, from 0 at its first end to 1 at its second.
 fn clip(ends: &[Vector2<f64>; 2], sides: &[Vector2<f64>; 2]) -> Option<(f64, f64)> {
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    let (mut from, mut to) = (0.0, 1.0);
     for side in sides {
         let inward = ends.map(|end| side.dot(&end));
-        match inward.map(|inward| inward < 0.0) {
-            [true, true] => return None,
-            [true, false] => from = from.max(inward[0] / (inward[0] - inward[1])),
-            [false, true] => to = to.min(inward[0] / (inward[0] - inward[1])),
-            [false, false] => {}
+        let [starts_outside, ends_outside] = inward.map(|inward| inward < 0.0);
+        if starts_outside && ends_outside {
+            return None;
+        }
+        if starts_outside || ends_outside {
+            let crossing = inward[0] / (inward[0] - inward[1]);
+            if starts_outside && crossing > from {
+                from = crossing;
+            } else if ends_outside && crossing < to {
+                to = crossing;
+            }
         }
     }
     (from <= to).then_some((from, to))

@@ -1,4 +1,5 @@
 // The goal-directed client of experiment 2 (Sobh et al. 2000). How it goes around things is ours: the paper does not say.
+// It turns by as much as `ahead` spans: smaller turns take longer, as it stops between them.
 
 import std.networks.clearances
 import std.robots.labmate
@@ -11,9 +12,9 @@ behavior goal_seeking on labmate {
 
     mode seek {
         decide (direction) {
-            (left ) => turn_left(10 deg)
+            (left ) => turn_left(30 deg)
             (ahead) => go_frwd(0 inch)
-            (right) => turn_right(10 deg)
+            (right) => turn_right(30 deg)
         }
         1: goal_distance < 50 cm -> arrived
         2: lost                  -> detour

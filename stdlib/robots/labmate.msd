@@ -40,9 +40,8 @@ robot labmate provides located_base runs labmate_drive {
     logical right = min(sonar[15..20])
     logical ahead_left = min(sonar[2..3])
     logical ahead_right = min(sonar[20..21])
-    /// How far it sees to the left of where it heads, and to the right.
-    logical reach_left = max(sonar[0..4])
-    logical reach_right = max(sonar[19..23])
+    /// Where the way ahead is open, to the left of where it heads.
+    logical opening = widest(sonar[18..23, 0..5], beyond: 3 m)
     logical blocked = front_bumper or front < 50 cm
 
     /// GO-FRWD: as far as that, or until told otherwise for 0.
