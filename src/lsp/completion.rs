@@ -106,7 +106,8 @@ impl Here<'_> {
             (":", "") if first == "variable" => units(),
             (":", "robot" | "interface" | "network") => units(),
             ("modes" | ",", "scenario") if line.contains(&"modes") => self.modes(),
-            (".", _) => self.events_of(place.back(1)),
+            (".", _) => self.members(&self.path(1)),
+            ("is", _) if place.back(1) == "mode" && place.back(2) == "." => self.modes_inside(&self.path(3)),
             (_, "event" | "network") if line.contains(&"rule") => self.in_words(&line),
             ("=" | "not" | "very" | "somewhat" | "and" | "or", "variable" | "output") => self.shapes(),
             (before, _) if Self::is_condition(&line, before) => self.conditions(),
@@ -257,13 +258,42 @@ impl Here<'_> {
             .collect()
     }
 
-    fn events_of(&self, sense: &str) -> Vec<CompletionItem> {
-        let Some(id) = self.diagram() else { return Vec::new() };
-        let diagram = &self.program.diagrams[id];
-        if diagram.modes.values().any(|mode| mode.runs.is_some() && mode.symbol.name == sense) {
-            return words(&["mode"]);
+    /// The names with dots between them that end that many words before the place.
+    fn path(&self, back: usize) -> Vec<&str> {
+        let mut path = vec![self.place.back(back)];
+        while self.place.back(back + 2 * path.len() - 1) == "." {
+            path.push(self.place.back(back + 2 * path.len()));
         }
-        let senses = diagram.senses.iter().filter(|known| known.symbol.name == sense);
+        path.reverse();
+        path
+    }
+
+    /// The diagram that runs inside a mode, named by the modes around it and itself.
+    fn inside(&self, path: &[&str]) -> Option<&Diagram> {
+        path.iter().try_fold(&self.program.diagrams[self.diagram()?], |diagram, name| {
+            let mode = diagram.modes.values().find(|mode| mode.symbol.name == *name)?;
+            Some(&self.program.diagrams[mode.runs?.diagram])
+        })
+    }
+
+    fn modes_inside(&self, path: &[&str]) -> Vec<CompletionItem> {
+        let modes = self.inside(path).into_iter().flat_map(|diagram| diagram.modes.values());
+        modes.map(|mode| named(&mode.symbol, CompletionItemKind::ENUM_MEMBER)).collect()
+    }
+
+    /// The modes of a diagram that run others.
+    fn outer_modes(diagram: &Diagram) -> impl Iterator<Item = CompletionItem> {
+        let outer = diagram.modes.values().filter(|mode| mode.runs.is_some());
+        outer.map(|mode| detailed(named(&mode.symbol, CompletionItemKind::MODULE), "its modes"))
+    }
+
+    /// What stands behind the dot of a mode that runs a diagram, or of a network.
+    fn members(&self, path: &[&str]) -> Vec<CompletionItem> {
+        if let Some(inside) = self.inside(path) {
+            return words(&["mode"]).into_iter().chain(Self::outer_modes(inside)).collect();
+        }
+        let ([sense], Some(id)) = (path, self.diagram()) else { return Vec::new() };
+        let senses = self.program.diagrams[id].senses.iter().filter(|known| known.symbol.name == *sense);
         senses.flat_map(|sense| self.events(sense.network)).collect()
     }
 
@@ -286,6 +316,7 @@ impl Here<'_> {
             let diagram = &self.program.diagrams[id];
             items.extend(diagram.flags.values().map(|flag| named(&flag.symbol, CompletionItemKind::VARIABLE)));
             items.extend(diagram.senses.iter().flat_map(|sense| self.events(sense.network)));
+            items.extend(Self::outer_modes(diagram));
         }
         items.extend(self.sensors());
         if self.place.declaration().is_none_or(|block| block.keyword == "scenario") {

@@ -220,3 +220,39 @@ fn something_is_answered_at_every_place_of_every_example() {
     }
     assert!(client.leave());
 }
+
+#[test]
+fn what_runs_inside_a_mode_is_named_by_its_modes() {
+    const LAYERS: &str = "
+robot cart {
+    sensor x: 1 in 0 .. 10 fails 0
+    action say(word: 1)
+}
+behavior inner on cart {
+    entry a
+    mode a { say(1)  1: x > 5 -> b }
+    mode b { say(2)  1: x < 5 -> a }
+}
+activity middle on cart {
+    entry m
+    mode m = inner { 1: x > 9 -> n }
+    mode n = inner { 1: x < 1 -> m }
+}
+goal outer on cart {
+    entry o
+    mode o = middle {
+        1: x > 9 -> p
+        WRITTEN
+    }
+    mode p = inner { 1: x < 1 -> o }
+}
+";
+    let mut client = Client::new(&[]);
+    let mut goal = |written: &str| offered(&mut client, "layers.msd", &LAYERS.replace("WRITTEN", written));
+    assert_eq!(goal("2: o.|"), ["m", "mode", "n"]);
+    assert_eq!(goal("2: o.mode is |"), ["m", "n"]);
+    assert_eq!(goal("2: x > 1 and o.m.mode is |"), ["a", "b"]);
+    assert_eq!(goal("2: o.nothing.mode is |"), [""; 0]);
+    let condition = goal("2: |");
+    assert!(["o", "p", "x"].iter().all(|name| condition.iter().any(|known| known == name)), "{condition:?}");
+}
