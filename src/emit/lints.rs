@@ -22,6 +22,7 @@ pub const LINTS: [(&str, &[&str]); 6] = [
             "clippy::module_inception",
             "clippy::similar_names",
             "clippy::struct_field_names",
+            "clippy::wrong_self_convention",
         ],
     ),
     ("a robot need not use everything", &["clippy::unused_self", "dead_code"]),

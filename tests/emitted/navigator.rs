@@ -20,6 +20,7 @@
     clippy::module_inception,
     clippy::similar_names,
     clippy::struct_field_names,
+    clippy::wrong_self_convention,
     reason = "names and documentation are the user's"
 )]
 #[allow(clippy::unused_self, dead_code, reason = "a robot need not use everything")]
@@ -422,6 +423,7 @@ pub mod navigator {
     clippy::module_inception,
     clippy::similar_names,
     clippy::struct_field_names,
+    clippy::wrong_self_convention,
     reason = "names and documentation are the user's"
 )]
 mod kernel {

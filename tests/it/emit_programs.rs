@@ -419,7 +419,7 @@ impl Program {
             "arc(-0.1 m/s, radius: random(1 m, 3 m))",
         ];
         if !self.outputs.is_empty() && self.random.chance(2) {
-            return format!("ring({})", self.random.one_of(&self.outputs));
+            return format!("to_ring({})", self.random.one_of(&self.outputs));
         }
         self.random.one_of(if self.draws { &calls } else { &calls[..3] }).to_owned()
     }
@@ -439,7 +439,7 @@ impl Program {
     logical held = all(b)\n    logical steady = s0 within 60 ms\n    logical exact = min(a, s1) within 1
     logical slow = median(a[0], s0, s2) within 80 ms\n";
         text += "    action halt()\n    action drive(speed: m/s)\n    action arc(speed: m/s, radius: m)
-    action turn(angle: deg) -> done\n    action ring(times: 1)\n}\n";
+    action turn(angle: deg) -> done\n    action to_ring(times: 1)\n}\n";
         text
     }
 
@@ -488,7 +488,7 @@ impl Program {
             let whens: &[&str] = if inner.is_empty() { &["on enter", "on exit", ""] } else { &["on enter", "on exit"] };
             for &when in whens {
                 if self.random.chance(3) {
-                    let (first, second) = (self.call(), self.random.one_of(&["ring(2)", "halt()"]));
+                    let (first, second) = (self.call(), self.random.one_of(&["to_ring(2)", "halt()"]));
                     let calls = if when.is_empty() { first } else { format!("{when} {{ {first}  {second} }}") };
                     writeln!(text, "        {calls}").unwrap();
                 }
