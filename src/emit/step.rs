@@ -128,9 +128,7 @@ fn leave(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
             _ => Ok(()),
         }
     };
-    let used = layout::words(&body);
-    let dt_ns = used.contains("dt_ns").then(|| quote! { let dt_ns = 0; });
-    let inputs = format_ident!("{}inputs", if used.contains("inputs") { "" } else { "_" });
+    let (dt_ns, inputs) = at_once(&body);
     let allowed = (!always.is_empty()).then(lints::of_remembering);
     quote! {
         #blank
@@ -144,6 +142,13 @@ fn leave(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
             #body
         }
     }
+}
+
+/// What a method needs that takes no time: the length of its tick, if it asks for it, and how it calls its inputs.
+fn at_once(body: &TokenStream) -> (Option<TokenStream>, Ident) {
+    let used = layout::words(body);
+    let dt_ns = used.contains("dt_ns").then(|| quote! { let dt_ns = 0; });
+    (dt_ns, format_ident!("{}inputs", if used.contains("inputs") { "" } else { "_" }))
 }
 
 /// The method that takes it up again in the mode in which it was.
@@ -167,9 +172,7 @@ fn resume(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         #always
         match self.mode() { #(#arms)* #others }
     };
-    let used = layout::words(&body);
-    let dt_ns = used.contains("dt_ns").then(|| quote! { let dt_ns = 0; });
-    let inputs = format_ident!("{}inputs", if used.contains("inputs") { "" } else { "_" });
+    let (dt_ns, inputs) = at_once(&body);
     let allowed = (!always.is_empty()).then(lints::of_remembering);
     quote! {
         #blank

@@ -4,9 +4,7 @@ use std::ops::Range;
 
 use super::Reading;
 use crate::kernel::{self, Stopwatch, Window};
-use crate::plan::{
-    Aggregation, Bool, Code, Comparison, Find, Grouping, Implication, Input, Real, SNorm, Shape, Step, TNorm,
-};
+use crate::plan::{Aggregation, Bool, Code, Find, Grouping, Implication, Input, Real, SNorm, Shape, Step, TNorm};
 
 /// What is known of `ROWS` ticks that follow each other; of one where a machine runs.
 #[derive(Debug, Clone)]
@@ -230,8 +228,9 @@ impl<const ROWS: usize> Memory<ROWS> {
                 Step::Failed { input, to } => {
                     self.set_bools(to, |_, row| !read(input, row).is_some_and(|reading| reading.healthy));
                 }
-                Step::Compare { comparison, left, right, to } => self
-                    .set_bools(to, |memory, row| compare(comparison, memory.real(left, row), memory.real(right, row))),
+                Step::Compare { comparison, left, right, to } => {
+                    self.set_bools(to, |memory, row| comparison.holds(memory.real(left, row), memory.real(right, row)))
+                }
                 Step::After { duration, to } => self.set_bools(to, |memory, _| memory.dwell >= duration),
                 Step::Done { to } => self.set_bools(to, |_, _| *done),
                 Step::Inside { ref path, to } => {
@@ -411,17 +410,6 @@ fn joined_by(aggregation: Aggregation) -> fn(f64, f64) -> f64 {
     match aggregation {
         Aggregation::Maximum => kernel::maximum,
         Aggregation::Sum => kernel::sum,
-    }
-}
-
-fn compare(comparison: Comparison, left: f64, right: f64) -> bool {
-    match comparison {
-        Comparison::Less => left < right,
-        Comparison::LessOrEqual => left <= right,
-        Comparison::Greater => left > right,
-        Comparison::GreaterOrEqual => left >= right,
-        Comparison::Equal => left == right,
-        Comparison::NotEqual => left != right,
     }
 }
 

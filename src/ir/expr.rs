@@ -119,3 +119,17 @@ pub enum Comparison {
     /// `!=`
     NotEqual,
 }
+
+impl Comparison {
+    /// Whether it holds between two quantities of one unit.
+    pub fn holds<T: PartialOrd>(self, left: T, right: T) -> bool {
+        match self {
+            Self::Less => left < right,
+            Self::LessOrEqual => left <= right,
+            Self::Greater => left > right,
+            Self::GreaterOrEqual => left >= right,
+            Self::Equal => left == right,
+            Self::NotEqual => left != right,
+        }
+    }
+}

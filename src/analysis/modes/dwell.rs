@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::faults::{self, FaultSet};
-use super::formula::{Atom, Formula, compare};
+use super::formula::{Atom, Formula};
 use super::ticks::{Scene, Tick, feasible};
 use crate::base::{Exact, Id};
 use crate::ir::{Mode, Sensor};
@@ -262,7 +262,7 @@ impl Clock {
             Atom::After(duration) => self.thresholds[..*passed].contains(duration),
             Atom::Count(comparison, of, number) => {
                 let count = self.counters.iter().zip(counts).find(|((counted, _), _)| counted == of);
-                count.is_some_and(|(_, count)| compare(*comparison, Exact::new(i128::from(*count), 1, 0), *number))
+                count.is_some_and(|(_, count)| comparison.holds(Exact::new(i128::from(*count), 1, 0), *number))
             }
             _ => false,
         };

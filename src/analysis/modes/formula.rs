@@ -301,7 +301,7 @@ impl Formula {
                 Atom::Open(id)
             }
             (Op::Number(left), Op::Number(right)) => {
-                return self.node(Node::Constant(compare(comparison, *left, *right)));
+                return self.node(Node::Constant(comparison.holds(*left, *right)));
             }
             (Op::Sensor(sensor), Op::Number(number)) => Atom::Compare(comparison, *sensor, Operand::Number(*number)),
             (Op::Number(number), Op::Sensor(sensor)) => {
@@ -409,7 +409,7 @@ impl Formula {
                 Node::Constant(value) => *value,
                 Node::Atom(atom) => match self.atoms[*atom] {
                     Atom::Past(past, of) => past.settled(values[of]),
-                    Atom::Count(comparison, _, number) => compare(comparison, Exact::ZERO, number),
+                    Atom::Count(comparison, _, number) => comparison.holds(Exact::ZERO, number),
                     Atom::After(duration) => duration <= dwell,
                     Atom::Lasted(_) | Atom::Entered(_) | Atom::Left(_) | Atom::Done => false,
                     _ => truth >> atom & 1 == 1,
@@ -531,16 +531,5 @@ fn mirrored(comparison: Comparison) -> Comparison {
         Comparison::Greater => Comparison::Less,
         Comparison::GreaterOrEqual => Comparison::LessOrEqual,
         Comparison::Equal | Comparison::NotEqual => comparison,
-    }
-}
-
-pub(super) fn compare(comparison: Comparison, left: Exact, right: Exact) -> bool {
-    match comparison {
-        Comparison::Less => left < right,
-        Comparison::LessOrEqual => left <= right,
-        Comparison::Greater => left > right,
-        Comparison::GreaterOrEqual => left >= right,
-        Comparison::Equal => left == right,
-        Comparison::NotEqual => left != right,
     }
 }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::dwell::{Moment, Way};
 use super::examined::{Examined, examine};
 use super::flat::{Flat, Leaf, flatten};
-use super::formula::{Atom, Formula, Operand, compare};
+use super::formula::{Atom, Formula, Operand};
 use super::fusion::Fusion;
 use super::ticks::Scene;
 use crate::base::{Exact, Id, Span};
@@ -176,17 +176,15 @@ fn holds_none(program: &Program, conditions: &Formula, path: &[Id<Mode>], is_don
         readings.find(|(read, _)| *read == sensor || name(*read) == name(sensor)).map(|(_, at)| *at)
     };
     let values = conditions.known(|atom, values| match atom {
-        Atom::Compare(comparison, left, Operand::Number(right)) => Some(compare(*comparison, read(*left)?, *right)),
-        Atom::Compare(comparison, left, Operand::Sensor(right)) => {
-            Some(compare(*comparison, read(*left)?, read(*right)?))
-        }
+        Atom::Compare(comparison, left, Operand::Number(right)) => Some(comparison.holds(read(*left)?, *right)),
+        Atom::Compare(comparison, left, Operand::Sensor(right)) => Some(comparison.holds(read(*left)?, read(*right)?)),
         Atom::Failed(_) => Some(false),
         Atom::After(duration) => Some(*duration <= moment.dwell),
         Atom::Past(past, of) => {
             let may_be = |now: &bool| values[*of].is_none_or(|value| value == *now);
             [false, true].iter().filter(|now| may_be(now)).all(|now| past.allows(false, *now)).then_some(false)
         }
-        Atom::Count(comparison, _, number) => Some(compare(*comparison, Exact::ZERO, *number)),
+        Atom::Count(comparison, _, number) => Some(comparison.holds(Exact::ZERO, *number)),
         Atom::Inside(inside) => {
             let is_along = inside.iter().zip(path).all(|(step, mode)| step == mode);
             if is_along { (inside.len() <= path.len()).then_some(true) } else { Some(false) }

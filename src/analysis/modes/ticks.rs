@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::rc::Rc;
 
 use super::faults::{self, FaultSet};
-use super::formula::{Atom, Formula, Operand, compare};
+use super::formula::{Atom, Formula, Operand};
 use super::fusion::{Asked, Fusion, Question, Readings};
 use crate::analysis::support::{Cut, Interval};
 use crate::base::{Exact, Id};
@@ -180,7 +180,7 @@ fn comparisons(formula: &Formula, here: &BTreeMap<Id<Sensor>, Cell>) -> u64 {
                 Operand::Number(number) => *number,
                 Operand::Sensor(sensor) => here[sensor].1,
             };
-            compare(*comparison, here[left].1, right)
+            comparison.holds(here[left].1, right)
         }
         _ => false,
     };

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::base::{Id, Span};
 use crate::ir::{
-    Action, Argument, BodyArgument, BodyCommandKind, Call, Comparison, Diagram, Expr, Mode, Op, Program, Robot, Sensor,
+    Action, Argument, BodyArgument, BodyCommandKind, Call, Diagram, Expr, Mode, Op, Program, Robot, Sensor,
     SensorSource,
 };
 
@@ -180,14 +180,7 @@ fn holds(
                 Op::Or(of) => all(of, true),
                 Op::Flag(flag) => value(&known, diagram.flags[*flag].condition),
                 Op::Compare(comparison, left, right) => {
-                    number(*left).zip(number(*right)).map(|(left, right)| match comparison {
-                        Comparison::Less => left < right,
-                        Comparison::LessOrEqual => left <= right,
-                        Comparison::Greater => left > right,
-                        Comparison::GreaterOrEqual => left >= right,
-                        Comparison::Equal => left == right,
-                        Comparison::NotEqual => left != right,
-                    })
+                    number(*left).zip(number(*right)).map(|(left, right)| comparison.holds(left, right))
                 }
                 _ => None,
             };
