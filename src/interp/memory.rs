@@ -229,7 +229,7 @@ impl<const ROWS: usize> Memory<ROWS> {
                     self.set_bools(to, |_, row| !read(input, row).is_some_and(|reading| reading.healthy));
                 }
                 Step::Compare { comparison, left, right, to } => {
-                    self.set_bools(to, |memory, row| comparison.holds(memory.real(left, row), memory.real(right, row)))
+                    self.set_bools(to, |memory, row| comparison.holds(memory.real(left, row), memory.real(right, row)));
                 }
                 Step::After { duration, to } => self.set_bools(to, |memory, _| memory.dwell >= duration),
                 Step::Done { to } => self.set_bools(to, |_, _| *done),

@@ -122,7 +122,7 @@ pub enum Comparison {
 
 impl Comparison {
     /// Whether it holds between two quantities of one unit.
-    pub fn holds<T: PartialOrd>(self, left: T, right: T) -> bool {
+    pub fn holds<T: PartialOrd + Copy>(self, left: T, right: T) -> bool {
         match self {
             Self::Less => left < right,
             Self::LessOrEqual => left <= right,

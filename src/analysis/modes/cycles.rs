@@ -71,8 +71,10 @@ pub(super) fn shortest<'a>(scene: &Scene<'a>, group: &[Id<Mode>], pace: Pace) ->
         return Err(TooLarge);
     }
     let modes = &scene.diagram.modes;
-    let exits: Vec<_> =
-        group.iter().flat_map(|mode| modes[*mode].transitions.iter().map(|exit| (*mode, exit))).collect();
+    // Each with the place of its mode in the group.
+    let exits =
+        (0..).zip(group).flat_map(|(place, mode)| modes[*mode].transitions.iter().map(move |exit| (place, exit)));
+    let exits: Vec<(usize, &'a Transition)> = exits.collect();
     let formula = Formula::new(scene.program, scene.diagram, exits.iter().map(|(_, exit)| *exit)).ok_or(TooLarge)?;
     if formula.atoms.len() > most {
         return Err(TooLarge);
@@ -100,9 +102,9 @@ pub(super) fn shortest<'a>(scene: &Scene<'a>, group: &[Id<Mode>], pace: Pace) ->
         for &dwell in &dwells {
             let values = formula.settled(tick.truth, dwell);
             let holding = exits.iter().zip(&needs_readings).zip(&formula.roots).filter(|(_, root)| values[**root]);
-            for ((&(mode, transition), &needs_readings), _) in holding {
-                let step = Step { mode, transition, waits: dwell > 0, needs_readings };
-                next[places[&mode]].get_or_insert(step);
+            for ((&(place, transition), &needs_readings), _) in holding {
+                let step = Step { mode: group[place], transition, waits: dwell > 0, needs_readings };
+                next[place].get_or_insert(step);
             }
         }
         let chosen: Vec<_> = next.iter().map(|step| step.map(|step| step.transition.span)).collect();

@@ -4,6 +4,7 @@
 //! as the inner ones at least; of outer counters and latches nothing is.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use super::formula::parts;
 use crate::base::{Arena, Id, Span};
@@ -40,8 +41,14 @@ const MOST_LEAVES: usize = 1 << 12;
 /// there are too many modes.
 pub fn flatten(program: &Program, diagram: Id<Diagram>, watched: &[Id<Expr>]) -> Option<Flat> {
     let paths = paths(program, diagram)?;
-    let mut flattening =
-        Flattening { program, outer: diagram, paths: &paths, flat: program.clone(), senses: Vec::new() };
+    let mut flattening = Flattening {
+        program,
+        outer: diagram,
+        paths: &paths,
+        flat: program.clone(),
+        senses: Vec::new(),
+        entered: HashMap::new(),
+    };
     let (mut modes, mut exits): (Arena<Mode>, Vec<_>) = Default::default();
     for path in &paths {
         let (mode, from) = flattening.leaf(path)?;
@@ -50,7 +57,7 @@ pub fn flatten(program: &Program, diagram: Id<Diagram>, watched: &[Id<Expr>]) ->
     }
     let watched: Vec<_> = watched.iter().map(|&condition| flattening.watched(condition)).collect::<Option<_>>()?;
     let outer = &program.diagrams[diagram];
-    let entry = flattening.enters(&[outer.entry?])?.first().copied();
+    let entry = flattening.enters(vec![outer.entry?])?.first().copied();
     let Flattening { mut flat, senses, .. } = flattening;
     let flat_diagram = Diagram { senses, flags: Arena::default(), modes, entry, ..outer.clone() };
     let diagram = flat.diagrams.add(flat_diagram);
@@ -88,6 +95,8 @@ struct Flattening<'a> {
     paths: &'a [Vec<Id<Mode>>],
     flat: Program,
     senses: Vec<Sense>,
+    /// What `enters` has found.
+    entered: HashMap<Vec<Id<Mode>>, Rc<Vec<Id<Mode>>>>,
 }
 
 /// Where a condition stands: the modes around it, and the layer it is of. Without modes it is watched from outside.
@@ -120,8 +129,11 @@ impl<'a> Flattening<'a> {
 
     /// The innermost modes that can become active when the last mode of a path is entered, the first of them if it is
     /// entered for the first time.
-    fn enters(&self, path: &[Id<Mode>]) -> Option<Vec<Id<Mode>>> {
-        let (mut fresh, mut resumed) = (path.to_vec(), None);
+    fn enters(&mut self, path: Vec<Id<Mode>>) -> Option<Rc<Vec<Id<Mode>>>> {
+        if let Some(known) = self.entered.get(&path) {
+            return Some(Rc::clone(known));
+        }
+        let (mut fresh, mut resumed) = (path.clone(), None);
         while let Some(run) = self.layers(&fresh).last()?.1.runs {
             if run.resumes && resumed.is_none() {
                 resumed = Some(fresh.clone());
@@ -133,7 +145,9 @@ impl<'a> Flattening<'a> {
             *leaf != first && resumed.as_ref().is_some_and(|around| path.starts_with(around))
         };
         let others = self.paths.iter().enumerate().map(|(leaf, path)| (Id::new(leaf as u32), path)).filter(is_beneath);
-        Some(std::iter::once(first).chain(others.map(|(leaf, _)| leaf)).collect())
+        let entered = Rc::new(std::iter::once(first).chain(others.map(|(leaf, _)| leaf)).collect());
+        self.entered.insert(path, Rc::clone(&entered));
+        Some(entered)
     }
 
     /// A mode, and where its transitions come from.
@@ -147,13 +161,13 @@ impl<'a> Flattening<'a> {
             if let Some(otherwise) = mode.otherwise.filter(|_| !mode.requires.is_empty()) {
                 let failed = self.lacks_sensor(mode);
                 let condition = self.entering(diagram, otherwise, failed);
-                transitions.push(Self::exit(condition, *self.enters(&inside(otherwise))?.first()?, mode.symbol.span));
+                transitions.push(Self::exit(condition, *self.enters(inside(otherwise))?.first()?, mode.symbol.span));
                 from.push((depth, None));
             }
             for (index, transition) in mode.transitions.iter().enumerate() {
                 let condition = self.condition(&place, transition.condition)?;
                 let condition = self.entering(diagram, transition.target?, condition);
-                let targets = self.enters(&inside(transition.target?))?;
+                let targets = self.enters(inside(transition.target?))?;
                 let (first, others) = targets.split_first()?;
                 for other in others {
                     let open = self.truth(Op::Unknown, transition.span);

@@ -40,7 +40,7 @@ type Answer = Option<Rc<Vec<Valuation>>>;
 /// More valuations than this are not looked into.
 const MOST_VALUATIONS: usize = 1 << 10;
 /// After so many questions that differ in where one sensor reads, all that it can read is looked into at once.
-const MOST_LOOKS: usize = 8;
+const MOST_LOOKS: usize = 4;
 
 /// What has been asked, remembered: many modes ask the same, in many diagrams.
 #[derive(Default)]

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
-use super::dwell::{Moment, Way};
+use super::dwell::{Moment, Stay, Way};
 use super::examined::{Examined, examine};
 use super::flat::{Flat, Leaf, flatten};
 use super::formula::{Atom, Formula, Operand};
@@ -17,8 +17,7 @@ use crate::ir::{Diagram, Mode, Program, Sensor};
 pub(in crate::analysis) struct Layers<'a> {
     program: &'a Program,
     fusion: Rc<Fusion>,
-    /// By the modes of a diagram, how their transitions are taken where nothing runs around them.
-    alone: HashMap<Id<Diagram>, Rc<Vec<Ways>>>,
+    alone: HashMap<Id<Diagram>, Rc<Alone>>,
     flats: HashMap<Id<Diagram>, Option<Rc<Flat>>>,
     taken: HashMap<Place, Option<Rc<Taken>>>,
 }
@@ -26,8 +25,8 @@ pub(in crate::analysis) struct Layers<'a> {
 /// An innermost mode of a diagram, by the modes around it and itself.
 type Place = (Id<Diagram>, Vec<Id<Mode>>);
 
-/// How the transitions of a mode are taken; `None` where there is too much to look into.
-type Ways = Option<Vec<Option<Way>>>;
+/// What can happen in each mode of a diagram where nothing runs around it; `None` where there is too much to look into.
+type Alone = Vec<Option<Rc<Stay>>>;
 
 /// The transitions of an innermost mode that are taken, by layer and position.
 type Taken = BTreeSet<(usize, usize)>;
@@ -45,12 +44,11 @@ impl<'a> Layers<'a> {
 
     /// Notes what was found of a diagram by itself.
     pub(in crate::analysis) fn note(&mut self, diagram: Id<Diagram>, examined: &[Option<Examined>]) {
-        let ways = |examined: &Examined| examined.stay.exits.iter().map(|exit| exit.taken.clone()).collect();
-        let ways = examined.iter().map(|examined| examined.as_ref().map(ways)).collect();
-        self.alone.insert(diagram, Rc::new(ways));
+        let stays = examined.iter().map(|examined| Some(Rc::clone(&examined.as_ref()?.stay)));
+        self.alone.insert(diagram, Rc::new(stays.collect()));
     }
 
-    fn alone(&mut self, diagram: Id<Diagram>) -> Rc<Vec<Ways>> {
+    fn alone(&mut self, diagram: Id<Diagram>) -> Rc<Alone> {
         if !self.alone.contains_key(&diagram) {
             let scene = self.scene(diagram);
             let examined: Vec<_> = scene.diagram.modes.values().map(|mode| examine(&scene, mode)).collect();
@@ -101,9 +99,9 @@ impl<'a> Layers<'a> {
                 let Some(conditions) = Formula::new(program, diagram, transitions) else { continue };
                 around.push(Around { mode, is_final: *is_final, conditions: Rc::new(conditions) });
                 let alone = self.alone(run.diagram);
-                for ((id, mode), ways) in program.diagrams[run.diagram].modes.iter().zip(alone.iter()) {
-                    let exits = mode.transitions.iter().zip(ways.iter().flatten());
-                    for (exit, way) in exits.filter_map(|(exit, way)| Some((exit, way.as_ref()?))) {
+                for ((id, mode), stay) in program.diagrams[run.diagram].modes.iter().zip(alone.iter()) {
+                    let exits = mode.transitions.iter().zip(stay.iter().flat_map(|stay| &stay.exits));
+                    for (exit, way) in exits.filter_map(|(exit, known)| Some((exit, known.taken.as_ref()?))) {
                         all.insert((outer, exit.span));
                         if is_let_be(program, &around, (id, mode), way) {
                             shown.insert((outer, exit.span));
@@ -125,8 +123,10 @@ impl<'a> Layers<'a> {
     fn taken(&mut self, diagram: Id<Diagram>, path: &[Id<Mode>]) -> Option<Rc<Taken>> {
         if let [mode] = path {
             let alone = self.alone(diagram);
-            let ways = alone[mode.index()].iter().flatten().enumerate();
-            return Some(Rc::new(ways.filter(|(_, way)| way.is_some()).map(|(index, _)| (0, index)).collect()));
+            let exits = alone[mode.index()].as_ref()?.exits.iter().enumerate();
+            return Some(Rc::new(
+                exits.filter(|(_, exit)| exit.taken.is_some()).map(|(index, _)| (0, index)).collect(),
+            ));
         }
         if let Some(known) = self.taken.get(&(diagram, path.to_vec())) {
             return known.clone();
