@@ -14,6 +14,17 @@ pub enum Layer {
     Goal,
 }
 
+impl Layer {
+    /// The keyword that declares it.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::Behavior => "behavior",
+            Self::Activity => "activity",
+            Self::Goal => "goal",
+        }
+    }
+}
+
 /// What a diagram is written on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Platform {

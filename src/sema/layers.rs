@@ -7,15 +7,6 @@ use crate::diag::{self, Diagnostic};
 use crate::ir::{self, Layer, Op, Platform};
 use crate::syntax::ast;
 
-/// The keyword that declares a layer.
-const fn keyword(layer: Layer) -> &'static str {
-    match layer {
-        Layer::Behavior => "behavior",
-        Layer::Activity => "activity",
-        Layer::Goal => "goal",
-    }
-}
-
 /// The layer that is written so.
 pub(super) const fn layer(layer: ast::Layer) -> Layer {
     match layer {
@@ -37,7 +28,7 @@ const fn inner(layer: Layer) -> &'static str {
 impl Lower<'_> {
     /// What runs inside a mode of a diagram of some layer; reports what cannot.
     pub(super) fn run(&mut self, tree: &ast::Mode, outer: Layer, platform: Platform) -> Option<ir::Run> {
-        let note = format!("the modes of {} {} run {}", article(outer), keyword(outer), inner(outer));
+        let note = format!("the modes of {} {} run {}", article(outer), outer.keyword(), inner(outer));
         let Some(child) = &tree.child else {
             if outer != Layer::Behavior && !tree.items.iter().any(|item| matches!(item, ast::ModeItem::Error(_))) {
                 let message = format!("nothing runs in the mode `{}`", tree.name.text);
@@ -57,9 +48,9 @@ impl Lower<'_> {
         let found = layer(inner.layer);
         if found >= outer {
             let (name, declared) = (&child.diagram.text, inner.name.span);
-            let message = format!("{} {} cannot run the {} `{name}`", article(outer), keyword(outer), keyword(found));
+            let message = format!("{} {} cannot run the {} `{name}`", article(outer), outer.keyword(), found.keyword());
             let diagnostic = Diagnostic::new(&diag::rules::LAYER_INVERTED, child.diagram.span, message);
-            self.report(diagnostic.label(declared, format!("declared as {} here", keyword(found))).note(note));
+            self.report(diagnostic.label(declared, format!("declared as {} here", found.keyword())).note(note));
             return None;
         }
         let diagram = self.find_diagram(&child.diagram)?;

@@ -40,11 +40,7 @@ impl Declared<'_> {
             Self::Network(_) => "network",
             Self::Interface(_) => "interface",
             Self::Robot(_) => "robot",
-            Self::Diagram(diagram) => match diagram.layer {
-                ast::Layer::Behavior => "behavior",
-                ast::Layer::Activity => "activity",
-                ast::Layer::Goal => "goal",
-            },
+            Self::Diagram(diagram) => diagram.layer.keyword(),
             Self::Arbiter(_) => "arbiter",
             Self::World(_) => "world",
             Self::Scenario(_) => "scenario",

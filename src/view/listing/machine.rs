@@ -4,7 +4,7 @@ use super::Lines;
 use super::condition::Conditions;
 use super::fusion::fails;
 use crate::base::Id;
-use crate::ir::{Argument, Call, Diagram, Group, Kept, Layer, Platform, Program, Robot, Sense, Sensor};
+use crate::ir::{Argument, Call, Diagram, Group, Kept, Platform, Program, Robot, Sense, Sensor};
 
 pub(super) fn robot(lines: &mut Lines, program: &Program, robot: &Robot) {
     let provides: Vec<_> = robot.provides.iter().map(|id| program.interfaces[*id].symbol.name.as_str()).collect();
@@ -58,11 +58,7 @@ fn senses(lines: &mut Lines, program: &Program, senses: &[Sense]) {
 }
 
 pub(super) fn diagram(lines: &mut Lines, program: &Program, diagram: &Diagram) {
-    let layer = match diagram.layer {
-        Layer::Behavior => "behavior",
-        Layer::Activity => "activity",
-        Layer::Goal => "goal",
-    };
+    let layer = diagram.layer.keyword();
     let platform = match diagram.platform {
         Platform::Robot(robot) => &program.robots[robot].symbol.name,
         Platform::Interface(interface) => &program.interfaces[interface].symbol.name,

@@ -7,7 +7,7 @@ use super::HEALTHY;
 use super::names::{Kind, Names};
 use crate::analysis::modes::{Fault, FaultSet, Machine};
 use crate::base::{Exact, Id, Sources, Span};
-use crate::ir::{Diagram, Layer, Mode, Program, Sensor};
+use crate::ir::{Diagram, Mode, Program, Sensor};
 
 /// What a process is written from.
 pub(super) struct Writer<'a, 'n> {
@@ -26,11 +26,7 @@ type Sensors = BTreeMap<Id<Sensor>, (String, BTreeMap<Fault, String>)>;
 /// The process of a machine: its name, and its text.
 pub(super) fn proctype(program: &Program, sources: &Sources, machine: &Machine, names: &mut Names) -> (String, String) {
     let diagram = &program.diagrams[machine.diagram];
-    let layer = match diagram.layer {
-        Layer::Behavior => "behavior",
-        Layer::Activity => "activity",
-        Layer::Goal => "goal",
-    };
+    let layer = diagram.layer.keyword();
     let title = format!("{layer} {}", diagram.symbol.name);
     let name = names.fresh(Kind::Process, &title);
     let sensors = sensors(program, machine, names);
