@@ -1,7 +1,7 @@
 //! The numeric meaning of one tick: membership, strength, memory, time and chance, each written once.
 //!
 //! Plain functions over plain numbers that import nothing of ours, so that the same text can be compiled here and
-//! included in emitted code.
+//! included in emitted code. That is also why it is one file.
 //!
 //! Imports: –
 //! Crates: libm
