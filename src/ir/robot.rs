@@ -200,9 +200,9 @@ pub struct Kept {
     pub of: Vec<Id<Sensor>>,
 }
 
-/// How one reading follows from several.
+/// How one reading follows from several, with numbers of some kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Grouping {
+pub enum Grouping<N = Exact> {
     /// The smallest; of contacts, whether all are touched.
     Minimum,
     /// The largest; of contacts, whether any is touched.
@@ -214,12 +214,27 @@ pub enum Grouping {
     /// Of neighboring beams of a ring, the bearing of the widest opening.
     Widest {
         /// The reading from which a beam is open, m.
-        beyond: Exact,
+        beyond: N,
         /// The bearing of the first beam, rad above -π up to π.
-        first: Exact,
+        first: N,
         /// Between two beams, rad.
-        spacing: Exact,
+        spacing: N,
     },
+}
+
+impl<N> Grouping<N> {
+    /// The same with other numbers.
+    pub fn map<M>(self, number: impl Fn(N) -> M) -> Grouping<M> {
+        match self {
+            Self::Minimum => Grouping::Minimum,
+            Self::Maximum => Grouping::Maximum,
+            Self::Mean => Grouping::Mean,
+            Self::Median => Grouping::Median,
+            Self::Widest { beyond, first, spacing } => {
+                Grouping::Widest { beyond: number(beyond), first: number(first), spacing: number(spacing) }
+            }
+        }
+    }
 }
 
 /// The places where a body can be measured.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::diagram::{Feed, Platform};
+use super::platform::{Feed, Platform};
 use super::{Bool, Code, Logical, Real, Shape, Step, Steps, Value};
 use crate::base::{Exact, Id};
 use crate::ir;
@@ -182,7 +182,7 @@ impl<'a> Builder<'a> {
             return single;
         }
         self.real(Key::Group(how, of.to_vec()), |code, to| Step::Group {
-            how: how.into(),
+            how: how.map(Exact::to_f64),
             of: list(&mut code.real_lists, of),
             to,
         })

@@ -53,41 +53,8 @@ pub struct Code {
     pub latches: u32,
 }
 
-/// How one reading follows from several.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Grouping {
-    /// `kernel::smallest_reading`
-    Minimum,
-    /// `kernel::largest_reading`
-    Maximum,
-    /// `kernel::mean_reading`
-    Mean,
-    /// `kernel::median_reading`
-    Median,
-    /// `kernel::widest_opening`
-    Widest {
-        /// The reading from which a beam is open, m.
-        beyond: f64,
-        /// The bearing of the first beam, rad.
-        first: f64,
-        /// Between two beams, rad.
-        spacing: f64,
-    },
-}
-
-impl From<ir::Grouping> for Grouping {
-    fn from(how: ir::Grouping) -> Self {
-        match how {
-            ir::Grouping::Minimum => Self::Minimum,
-            ir::Grouping::Maximum => Self::Maximum,
-            ir::Grouping::Mean => Self::Mean,
-            ir::Grouping::Median => Self::Median,
-            ir::Grouping::Widest { beyond, first, spacing } => {
-                Self::Widest { beyond: beyond.to_f64(), first: first.to_f64(), spacing: spacing.to_f64() }
-            }
-        }
-    }
-}
+/// How one reading follows from several; `kernel` does it.
+pub type Grouping = ir::Grouping<f64>;
 
 /// One operation. It reads what earlier steps wrote, and writes one value.
 #[derive(Debug, Clone, PartialEq)]

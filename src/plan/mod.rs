@@ -6,8 +6,11 @@
 mod builder;
 mod code;
 mod diagram;
+mod evidence;
 mod network;
 mod output;
+mod parts;
+mod platform;
 mod slabs;
 mod types;
 
