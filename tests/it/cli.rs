@@ -927,7 +927,11 @@ fn build_refuses_what_is_too_large() {
     let mode = |mode: u32| format!("mode m{mode} {{ halt()  1: after 1 s -> m{} }}\n", (mode + 1) % 256);
     let modes = (0..256).map(mode).collect::<Vec<_>>().concat();
     let long = format!("import std.robots.j5\nbehavior long on j5 {{ entry m0\n{modes} }}");
-    let many = (0..14).map(|index| format!("held(contact_force > {index} N, 1 s)")).collect::<Vec<_>>().join(" or ");
+    let above = |index: u32| {
+        let wheels = ["left", "right"].map(|side| format!("{side}_wheel_acceleration > 0.{} m/s^2", index + 10));
+        format!("contact_force > {index} N and {}", wheels.join(" and "))
+    };
+    let many = (0..14).map(above).collect::<Vec<_>>().join(" or ");
     let wide = format!(
         "import std.robots.j5\nbehavior wide on j5 {{ entry a
          mode a {{ halt()  1: {many} -> b }}  mode b {{ halt()  1: after 1 s -> a }} }}"

@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use super::faults::FaultSet;
 use super::formula::{Atom, Formula};
 use super::fusion::Readings;
-use super::ticks::{Scene, feasible};
+use super::ticks::{Scene, decided};
 use crate::base::Id;
 use crate::ir::{Diagram, Mode, Transition};
 
@@ -80,10 +80,10 @@ pub(super) fn shortest<'a>(scene: &Scene<'a>, group: &[Id<Mode>], pace: Pace) ->
         return Err(TooLarge);
     }
     // Nothing is known of what such an atom does while the readings stay.
-    if formula.atoms.iter().any(|atom| matches!(atom, Atom::Open(_))) {
+    if formula.atoms.iter().any(|atom| matches!(atom, Atom::Open(_) | Atom::Inside(_))) {
         return Ok(None);
     }
-    let ticks = feasible(scene, &formula, &FaultSet::new()).ok_or(TooLarge)?;
+    let ticks = decided(scene, &formula, &FaultSet::new()).ok_or(TooLarge)?;
     let dwells = dwells(&formula, pace);
     if ticks.len().saturating_mul(exits.len()).saturating_mul(dwells.len()) > most_steps {
         return Err(TooLarge);

@@ -7,7 +7,7 @@ use super::examined::reported;
 use super::faults::{Fault, FaultSet};
 use super::formula::Formula;
 use super::fusion::Readings;
-use super::ticks::{Scene, Tick, feasible, is_free};
+use super::ticks::{Scene, Tick, decided};
 use super::{Examined, named_readings};
 use crate::base::Id;
 use crate::diag::{Diagnostic, rules};
@@ -63,11 +63,8 @@ fn flicker<'a>(scene: &Scene<'a>, pair: [(Id<Mode>, &'a Mode); 2], sensor: Id<Se
         let from_left = lost.or_else(|| exit(left, of_left)?.target);
         Some((from_left, exit(entered, of_entered)))
     };
-    let is_open =
-        |tick: &Tick| formula.atoms.iter().enumerate().any(|(bit, atom)| is_free(atom) && tick.truth >> bit & 1 == 1);
     let healthy = FaultSet::new();
-    let settled = feasible(scene, &formula, &healthy)?.into_iter().filter(|tick| !is_open(tick));
-    for tick in settled.take(MOST_READINGS) {
+    for tick in decided(scene, &formula, &healthy)?.into_iter().take(MOST_READINGS) {
         let Some(readings) = &tick.readings else { continue };
         let Some((stays, Some(back))) = leads(&tick, &healthy) else { continue };
         if back.target != Some(left_id) || stays == Some(entered_id) {
@@ -78,8 +75,7 @@ fn flicker<'a>(scene: &Scene<'a>, pair: [(Id<Mode>, &'a Mode); 2], sensor: Id<Se
         let mut faults: FaultSet = others.clone().map(|(other, at)| (*other, Fault::Stuck(*at))).collect();
         faults.push((sensor, Fault::Reported));
         faults.sort_unstable();
-        let failed =
-            feasible(scene, &formula, &faults)?.into_iter().find(|tick| !is_open(tick) && tick.readings.is_some());
+        let failed = decided(scene, &formula, &faults)?.into_iter().find(|tick| tick.readings.is_some());
         let Some((from_left, from_entered)) = failed.and_then(|tick| leads(&tick, &faults)) else { continue };
         if from_left == Some(entered_id) && from_entered.is_none() {
             let readings = others.copied().collect();

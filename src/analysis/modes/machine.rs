@@ -6,7 +6,7 @@ use super::dwell::Clock;
 use super::facts::Table;
 use super::faults::FaultSet;
 use super::formula::Formula;
-use super::ticks::{Scene, feasible, is_free};
+use super::ticks::{Scene, decided};
 use crate::base::Id;
 use crate::ir::{Diagram, Mode, Program};
 
@@ -65,10 +65,7 @@ pub fn machine(program: &Program, diagram: Id<Diagram>, up_to: usize) -> Result<
 
 impl Case {
     fn new(scene: &Scene<'_>, formula: &Formula, faults: FaultSet) -> Option<Self> {
-        let free: u64 =
-            (0..formula.atoms.len()).filter(|atom| is_free(&formula.atoms[*atom])).map(|atom| 1 << atom).sum();
-        let valuations: BTreeSet<_> =
-            feasible(scene, formula, &faults)?.into_iter().map(|tick| tick.truth & !free).collect();
+        let valuations: BTreeSet<_> = decided(scene, formula, &faults)?.into_iter().map(|tick| tick.truth).collect();
         Some(Self { faults, valuations: valuations.into_iter().collect() })
     }
 }

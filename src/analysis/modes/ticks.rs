@@ -1,12 +1,12 @@
 //! The ticks that can be: every feasible truth of a formula's atoms, with readings that give it.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::faults::{self, FaultSet};
 use super::formula::{Atom, Formula, Operand};
-use super::fusion::{Asked, Fusion, Question, Readings};
+use super::fusion::{Asked, Fusion, Question, Readings, Valuation};
 use crate::analysis::support::{Cut, Interval};
 use crate::base::{Exact, Id};
 use crate::ir::{Diagram, Program, Sense, Sensor};
@@ -58,28 +58,40 @@ type Cell = (Interval, Exact);
 
 /// Every feasible tick; `None` where there are too many, or a number cannot be kept exactly.
 pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) -> Option<Vec<Tick>> {
-    let fixed = fixed(scene.program, formula, faults);
+    let decided = decided(scene, formula, faults)?;
     let free: Vec<_> = (0..formula.atoms.len()).filter(|atom| is_free(&formula.atoms[*atom])).collect();
-    let cells = compared(scene, formula, faults)?;
-    let combinations = cells.values().map(Vec::len).try_fold(1_usize << free.len().min(16), usize::checked_mul)?;
-    if combinations > MOST_TICKS {
+    let choices = 1_usize << free.len().min(16);
+    if decided.len() * choices > MOST_TICKS {
         return None;
     }
+    let choices: Vec<u64> = (0..choices)
+        .map(|choice| free.iter().enumerate().map(|(bit, atom)| (choice as u64 >> bit & 1) << atom).sum())
+        .collect();
+    let chosen = |tick: Tick| choices.iter().map(move |chosen| Tick { truth: tick.truth | chosen, ..tick.clone() });
+    Some(decided.into_iter().flat_map(chosen).collect())
+}
+
+/// The same as far as readings and failures decide; the other atoms are clear.
+pub(super) fn decided(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) -> Option<Vec<Tick>> {
+    let fixed = fixed(scene.program, formula, faults);
+    let cells = compared(scene, formula, faults)?;
     let sizes: Vec<_> = cells.values().map(Vec::len).collect();
+    if sizes.iter().copied().try_fold(1, usize::checked_mul)? > MOST_TICKS {
+        return None;
+    }
     let fused = Fused::new(scene, formula, faults);
     let mut ticks = Vec::new();
-    let mut known = HashSet::new();
+    let mut known = BTreeSet::new();
     let mut place = vec![0; cells.len()];
     loop {
         let here: BTreeMap<_, _> =
             cells.iter().zip(&place).map(|((sensor, cells), at)| (*sensor, cells[*at])).collect();
         let held = fixed | comparisons(formula, &here);
-        for Tick { truth, readings } in fused.ticks(&here, held)? {
-            for choice in 0..1_u64 << free.len() {
-                let chosen: u64 = free.iter().enumerate().map(|(bit, atom)| (choice >> bit & 1) << atom).sum();
-                if known.insert(truth | chosen) {
-                    ticks.push(Tick { truth: truth | chosen, readings: readings.clone() });
-                }
+        for valuation in fused.within(&here)?.iter() {
+            let truth = held | fused.truth(valuation.set);
+            if known.insert(truth) {
+                let readings = valuation.readings.as_ref().and_then(|fused| merged(formula, &here, fused));
+                ticks.push(Tick { truth, readings });
             }
         }
         if ticks.len() > MOST_TICKS {
@@ -95,7 +107,7 @@ pub(super) fn feasible(scene: &Scene<'_>, formula: &Formula, faults: &FaultSet) 
 }
 
 /// Whether readings and failures leave it open.
-pub(super) fn is_free(atom: &Atom) -> bool {
+fn is_free(atom: &Atom) -> bool {
     match atom {
         Atom::Past(..) | Atom::Done | Atom::Inside(_) | Atom::Open(_) => true,
         // Readings and failures decide, or the state.
@@ -190,7 +202,6 @@ fn comparisons(formula: &Formula, here: &BTreeMap<Id<Sensor>, Cell>) -> u64 {
 /// What networks say of the events of a formula.
 struct Fused<'s, 'a> {
     scene: &'s Scene<'a>,
-    formula: &'s Formula,
     faults: &'s FaultSet,
     /// Its events among its atoms.
     atoms: Vec<usize>,
@@ -200,30 +211,28 @@ struct Fused<'s, 'a> {
 }
 
 impl<'s, 'a> Fused<'s, 'a> {
-    fn new(scene: &'s Scene<'a>, formula: &'s Formula, faults: &'s FaultSet) -> Self {
+    fn new(scene: &'s Scene<'a>, formula: &Formula, faults: &'s FaultSet) -> Self {
         let is_event = |atom: &usize| matches!(formula.atoms[*atom], Atom::Event { .. });
         let atoms = (0..formula.atoms.len()).filter(is_event).collect();
         let question = question(scene, &events(formula), faults);
         let sensors = question.feeds.iter().map(|(sensor, feed)| (*sensor, feed.is_some())).collect();
-        Self { scene, formula, faults, atoms, sensors, asked: scene.fusion.about(question) }
+        Self { scene, faults, atoms, sensors, asked: scene.fusion.about(question) }
     }
 
-    /// The ticks of one combination of cells: one for each joint valuation of the events; `None` where there are too many.
-    fn ticks(&self, here: &BTreeMap<Id<Sensor>, Cell>, truth: u64) -> Option<Vec<Tick>> {
-        let compared: Readings = here.iter().map(|(sensor, (_, at))| (*sensor, *at)).collect();
+    /// What can be set together in one combination of cells; `None` where there is too much to look into.
+    fn within(&self, here: &BTreeMap<Id<Sensor>, Cell>) -> Option<Rc<Vec<Valuation>>> {
         if self.atoms.is_empty() {
-            let shown = here.keys().all(|sensor| self.scene.readings(*sensor, self.faults).is_some());
-            return Some(vec![Tick { truth, readings: shown.then_some(compared) }]);
+            let is_shown = here.keys().all(|sensor| self.scene.readings(*sensor, self.faults).is_some());
+            return Some(Rc::new(vec![Valuation { set: 0, readings: is_shown.then(Vec::new) }]));
         }
         let sensors = self.sensors.iter().enumerate().filter(|(_, (_, reads))| *reads);
         let within = sensors.filter_map(|(position, (sensor, _))| Some((position, here.get(sensor)?.0))).collect();
-        let answers = self.asked.borrow_mut().within(self.scene.program, within)?;
-        let tick = |set: u64, readings: Option<&Readings>| {
-            let events: u64 = self.atoms.iter().enumerate().map(|(bit, atom)| (set >> bit & 1) << atom).sum();
-            let readings = readings.and_then(|readings| merged(self.formula, here, &compared, readings));
-            Tick { truth: truth | events, readings }
-        };
-        Some(answers.iter().map(|answer| tick(answer.set, answer.readings.as_ref())).collect())
+        self.asked.borrow_mut().within(self.scene.program, within)
+    }
+
+    /// The atoms of the events that are set.
+    fn truth(&self, set: u64) -> u64 {
+        self.atoms.iter().enumerate().map(|(bit, atom)| (set >> bit & 1) << atom).sum()
     }
 }
 
@@ -257,13 +266,8 @@ pub(super) fn is_fused_alike(scene: &Scene<'_>, events: &[(u32, u32)], faults: &
 
 /// The readings that set the events, and those of the compared sensors that feed none of them; `None` where the
 /// readings of the events put compared sensors into another order.
-fn merged(
-    formula: &Formula,
-    here: &BTreeMap<Id<Sensor>, Cell>,
-    compared: &Readings,
-    fused: &Readings,
-) -> Option<Readings> {
-    let mut merged: BTreeMap<_, _> = compared.iter().copied().collect();
+fn merged(formula: &Formula, here: &BTreeMap<Id<Sensor>, Cell>, fused: &Readings) -> Option<Readings> {
+    let mut merged: BTreeMap<_, _> = here.iter().map(|(sensor, (_, at))| (*sensor, *at)).collect();
     merged.extend(fused.iter().copied());
     let moved = here.iter().map(|(sensor, (cell, _))| (*sensor, (*cell, merged[sensor]))).collect();
     (comparisons(formula, &moved) == comparisons(formula, here)).then(|| merged.into_iter().collect())
