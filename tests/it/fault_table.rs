@@ -61,7 +61,7 @@ fn replay(analysis: &Analysis, plan: &Plan, steps: &[Step]) -> Taken {
 }
 
 /// Replays every transition that is shown, and answers how many there were.
-fn replay_all(analysis: &Analysis, diagram: Id<ir::Diagram>, table: &[Facts]) -> usize {
+pub fn replay_all(analysis: &Analysis, diagram: Id<ir::Diagram>, table: &[Facts]) -> usize {
     let plan = plan::build(analysis.checked().unwrap(), diagram, Id::new(0), &[]);
     let mut count = 0;
     for facts in table {

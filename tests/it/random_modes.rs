@@ -7,6 +7,7 @@ use lmslc::ir::Sensor;
 use lmslc::kernel::next_random;
 use lmslc::plan;
 
+use crate::fault_table::replay_all;
 use crate::support::{analyze_texts, report};
 
 /// The network that random behaviors sense, `n`.
@@ -135,6 +136,20 @@ fn what_never_happens_is_not_seen() {
         live += seen.iter().filter(|seen| **seen).count();
     }
     assert!(dead > 50 && live > 400, "{dead} dead, {live} live: the diagrams show nothing");
+}
+
+#[test]
+fn what_is_shown_of_the_past_happens() {
+    let mut random = Random { state: 3, recalls: true };
+    let mut shown = 0;
+    for _ in 0..25 {
+        // What an event remembers is not followed.
+        let text = format!("{CART}{}", random.behavior("b").replace("late", "odd"));
+        let analysis = analyze_texts(&[("b.msd", &text), ("n.fsfn", FUSION)]);
+        let table = fault_table(&analysis.program, Id::new(0), 1);
+        shown += replay_all(&analysis, Id::new(0), &table);
+    }
+    assert!(shown > 200, "{shown} exits shown");
 }
 
 #[test]

@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use super::faults::{self, FaultSet};
 use super::formula::{Atom, Formula};
+use super::steady;
 use super::ticks::{Scene, Tick, feasible};
 use crate::base::{Exact, Id};
 use crate::ir::{Mode, Sensor};
@@ -151,13 +152,19 @@ pub(super) fn stay(formula: &Formula, cases: &[Rc<Case>], before: &BTreeSet<Stat
                 if !formula.write_values(tick.truth | held, &mut values) {
                     continue;
                 }
-                let extended = || extended(path?, clock.starts(state.0), formula, tick);
+                let extended = || extended(path?, clock.starts(state.0), formula, tick, &values);
                 stay.note(formula, &values, &case.gates.open, || extended().map_or(Way::Open, Way::Shown));
                 let taken = formula.roots.iter().zip(&case.gates.open).any(|(root, open)| values[*root] && *open);
                 if !taken && !matches!(stays, Some(Some(_))) {
                     stays = Some(extended());
                 }
             }
+        }
+        if path.as_ref().is_some_and(Vec::is_empty) {
+            stay.wait(formula, &cases[0], &[], 0);
+        }
+        if let Some(Some(clear)) = &stays {
+            stay.wait(formula, &cases[0], clear, clock.starts(state.0));
         }
         if let Some(path) = stays {
             stay.lasts |= next < firsts;
@@ -187,16 +194,38 @@ pub(super) fn stay(formula: &Formula, cases: &[Rc<Case>], before: &BTreeSet<Stat
 }
 
 /// The path and one more tick, where readings are known for it.
-fn extended(path: &[Moment], dwell: u64, formula: &Formula, tick: &Tick) -> Option<Vec<Moment>> {
-    // What the past must have been for a tick is not shown by readings of that tick alone.
-    let readings = tick.readings.clone().filter(|_| !formula.looks_back())?;
-    let done = formula.atoms.iter().enumerate().any(|(bit, atom)| *atom == Atom::Done && tick.truth >> bit & 1 == 1);
+fn extended(path: &[Moment], dwell: u64, formula: &Formula, tick: &Tick, values: &[bool]) -> Option<Vec<Moment>> {
+    if !formula.looks_at_nothing(tick.truth, values, path.is_empty()) {
+        return None;
+    }
+    let readings = tick.readings.clone()?;
+    let done = formula.is_done(tick.truth);
     let mut path = path.to_vec();
     path.push(Moment { dwell, done, readings });
     Some(path)
 }
 
 impl Stay {
+    /// Notes the exits that are taken if the readings of some tick stay, from so many nanoseconds in the mode on. On the
+    /// ticks before nothing was true that is remembered.
+    fn wait(&mut self, formula: &Formula, case: &Case, before: &[Moment], dwell: u64) {
+        let is_settled = |exit: &Exit| matches!(exit.taken, None | Some(Way::Shown(_)));
+        let past = formula.truth_of(|atom| matches!(atom, Atom::Past(..) | Atom::Open(_)));
+        for tick in case.ticks.iter().filter(|tick| tick.truth & past == 0) {
+            if self.exits.iter().all(is_settled) {
+                return;
+            }
+            let Some(readings) = &tick.readings else { continue };
+            let is_entered = before.is_empty();
+            let taken = steady::exit(formula, tick.truth, dwell, is_entered, &case.gates.open);
+            let Some((exit, times)) = taken.filter(|(exit, _)| !is_settled(&self.exits[*exit])) else { continue };
+            let done = formula.is_done(tick.truth);
+            let moment = |time| Moment { dwell: dwell + time, done, readings: readings.clone() };
+            self.exits[exit].taken =
+                Some(Way::Shown(before.iter().cloned().chain(times.into_iter().map(moment)).collect()));
+        }
+    }
+
     /// Notes what a tick does.
     fn note(&mut self, formula: &Formula, values: &[bool], open: &[bool], way: impl Fn() -> Way) {
         let mut before = 0_u64;

@@ -376,8 +376,9 @@ impl Formula {
         }
     }
 
-    /// What is known of every node where that is known of the atoms; an atom is told what is known of the nodes before it.
-    pub(super) fn known(&self, of_atom: impl Fn(&Atom, &[Option<bool>]) -> Option<bool>) -> Vec<Option<bool>> {
+    /// What is known of every node where that is known of the atoms, each by its position; an atom is told what is known of
+    /// the nodes before it.
+    pub(super) fn known(&self, mut of_atom: impl FnMut(usize, &[Option<bool>]) -> Option<bool>) -> Vec<Option<bool>> {
         let mut values: Vec<Option<bool>> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
             let all = |of: &[usize], otherwise: bool| {
@@ -387,7 +388,7 @@ impl Formula {
             };
             values.push(match node {
                 Node::Constant(value) => Some(*value),
-                Node::Atom(atom) => of_atom(&self.atoms[*atom], &values),
+                Node::Atom(atom) => of_atom(*atom, &values),
                 Node::Not(of) => values[*of].map(|value| !value),
                 Node::All(of) => all(of, false),
                 Node::Any(of) => all(of, true),
@@ -399,6 +400,20 @@ impl Formula {
     /// Whether something depends on readings of the past.
     pub(super) fn looks_back(&self) -> bool {
         self.atoms.iter().any(|atom| matches!(atom, Atom::Past(..) | Atom::Open(_) | Atom::Count(..)))
+    }
+
+    /// Whether the past is as these atoms say where the nodes have these values, and nothing that is looked at was ever
+    /// true on a tick of the mode before.
+    pub(super) fn looks_at_nothing(&self, truth: u64, values: &[bool], is_first: bool) -> bool {
+        let is_clear = |(bit, atom): (usize, &Atom)| match atom {
+            // The tick before the first one is not known.
+            Atom::Past(Past::Falling, _) if is_first => false,
+            Atom::Past(_, of) => truth >> bit & 1 == 0 && !values[*of],
+            Atom::Count(_, of, _) => !values[*of],
+            Atom::Open(_) => false,
+            _ => true,
+        };
+        self.atoms.iter().enumerate().all(is_clear)
     }
 
     /// The value of every node after so many nanoseconds in a mode, once the readings have been the same for long.

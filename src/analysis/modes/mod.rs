@@ -29,6 +29,7 @@ mod product;
 mod properties;
 mod repeated;
 mod response;
+mod steady;
 mod stimuli;
 mod swapping;
 mod ticks;

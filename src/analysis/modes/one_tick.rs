@@ -26,10 +26,9 @@ pub(super) fn check(scene: &Scene<'_>, modes: &[Option<Examined>], findings: &mu
 /// Where a mode without any failure may lead on its first tick.
 fn at_once(mode: &Mode, examined: Option<&Examined>) -> Vec<Id<Mode>> {
     let Some(examined) = examined else { return Vec::new() };
-    let may_be = |way: &Way| match way {
-        Way::Shown(path) => path.len() == 1,
-        Way::Open => examined.formula.looks_back(),
-    };
+    // What the past allows may be shown later, and be at once too.
+    let looks_back = examined.formula.looks_back();
+    let may_be = |way: &Way| looks_back || matches!(way, Way::Shown(path) if path.len() == 1);
     let exits = mode.transitions.iter().zip(&examined.stay.exits);
     let at_once = exits.filter(|(_, exit)| exit.taken.as_ref().is_some_and(may_be));
     at_once.filter_map(|(transition, _)| transition.target).collect()

@@ -175,7 +175,7 @@ fn holds_none(program: &Program, conditions: &Formula, path: &[Id<Mode>], is_don
         let mut readings = moment.readings.iter();
         readings.find(|(read, _)| *read == sensor || name(*read) == name(sensor)).map(|(_, at)| *at)
     };
-    let values = conditions.known(|atom, values| match atom {
+    let values = conditions.known(|atom, values| match &conditions.atoms[atom] {
         Atom::Compare(comparison, left, Operand::Number(right)) => Some(comparison.holds(read(*left)?, *right)),
         Atom::Compare(comparison, left, Operand::Sensor(right)) => Some(comparison.holds(read(*left)?, read(*right)?)),
         Atom::Failed(_) => Some(false),
