@@ -63,7 +63,7 @@ fn check_manipulation() -> Analysis {
     check(black_box(MANIPULATION))
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1_000)]
 fn evaluate_obstacle_id(bencher: Bencher) {
     let analysis = check(MANIPULATION);
     let network = analysis.program.networks.ids().next().unwrap();
@@ -98,7 +98,7 @@ impl Actuators for Deaf {
     }
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1_000)]
 fn tick_of_obstacle_manipulation(bencher: Bencher) {
     let analysis = check(MANIPULATION);
     let scenario = &analysis.program.scenarios[Id::new(0)];
@@ -140,7 +140,7 @@ fn plan_a_way(bencher: Bencher) {
     });
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1_000)]
 fn tick_of_the_fuzzy_navigator(bencher: Bencher) {
     let analysis = check(&minute_of_the_car());
     let plan = plan::build_scenario(analysis.checked().unwrap(), &analysis.program.scenarios[Id::new(0)]);

@@ -38,7 +38,10 @@ pub(super) struct Planner {
     cell: f64,
     columns: usize,
     rows: usize,
-    occupied: Vec<bool>,
+    /// How far each cell is from what stands on the map, m, to within a few percent.
+    clearance: Vec<f64>,
+    /// Cells that are nearer to something than those around them know.
+    nearer: VecDeque<usize>,
     goal: Vector2<f64>,
     /// m around the middle of the robot.
     radius: f64,
@@ -61,12 +64,12 @@ impl Planner {
         let extent = high - low;
         let cell = (extent.max() / MOST_CELLS).max(radius / CELLS_WITHIN);
         let [columns, rows] = [extent.x, extent.y].map(|side| (side / cell).ceil() as usize + 1);
-        let occupied = vec![false; columns * rows];
-        let (way, waypoint) = (VecDeque::new(), None);
-        let mut planner = Self { low, cell, columns, rows, occupied, goal, radius, way, waypoint };
+        let clearance = vec![f64::INFINITY; columns * rows];
+        let (nearer, way, waypoint) = Default::default();
+        let mut planner = Self { low, cell, columns, rows, clearance, nearer, goal, radius, way, waypoint };
         for ends in known.flat_map(|wall| wall.corners.windows(2)) {
             let [from, to] = [ends[0], ends[1]].map(Vector2::from);
-            planner.line(from, to).into_iter().for_each(|cell| planner.occupied[cell] = true);
+            planner.line(from, to).into_iter().for_each(|cell| planner.occupy(cell));
         }
         Some(planner)
     }
@@ -79,7 +82,14 @@ impl Planner {
     /// Puts a place where something stands on the map.
     pub(super) fn learn(&mut self, place: Vector2<f64>) {
         if let Some(cell) = self.cell_at(place) {
-            self.occupied[cell] = true;
+            self.occupy(cell);
+        }
+    }
+
+    fn occupy(&mut self, cell: usize) {
+        if self.clearance[cell] > 0.0 {
+            self.clearance[cell] = 0.0;
+            self.nearer.push_back(cell);
         }
     }
 
@@ -87,6 +97,7 @@ impl Planner {
     pub(super) fn obey(&mut self, request: Request, robot: Vector2<f64>) {
         match request {
             Request::Plan => {
+                self.spread();
                 self.way = self.plan(robot).into();
                 self.waypoint = self.way.front().copied();
             }
@@ -103,7 +114,7 @@ impl Planner {
     /// The places at which the shortest way bends, and the goal; none where there is no way.
     fn plan(&self, robot: Vector2<f64>) -> Vec<Vector2<f64>> {
         let (Some(start), Some(goal)) = (self.cell_at(robot), self.cell_at(self.goal)) else { return Vec::new() };
-        let clearance = self.clearances();
+        let clearance = &self.clearance;
         // Where the robot stands there is room for it, and where its goal is let there be.
         let is_free = |cell: usize| clearance[cell] > self.radius || cell == goal || self.is_near(cell, start);
         let successors = |&cell: &usize| {
@@ -115,14 +126,15 @@ impl Planner {
         };
         let left = |cell: &usize| (self.length(*cell, goal) * UNIT) as u32;
         let Some((cells, _)) = astar(&start, successors, left, |cell| *cell == goal) else { return Vec::new() };
-        let mut way = self.pulled(&cells, &clearance);
+        let mut way = self.pulled(&cells);
         way.pop();
         way.push(self.goal);
         way
     }
 
     /// The cells of a way at which it must bend to stay as far from everything as it is.
-    fn pulled(&self, cells: &[usize], clearance: &[f64]) -> Vec<Vector2<f64>> {
+    fn pulled(&self, cells: &[usize]) -> Vec<Vector2<f64>> {
+        let clearance = &self.clearance;
         let mut way = Vec::new();
         let mut from = 0;
         while from + 1 < cells.len() {
@@ -142,20 +154,17 @@ impl Planner {
         way
     }
 
-    /// How far each cell is from what stands on the map, m, to within a few percent.
-    fn clearances(&self) -> Vec<f64> {
-        let mut clearance: Vec<f64> = self.occupied.iter().map(|&is| if is { 0.0 } else { f64::INFINITY }).collect();
-        let mut waiting: VecDeque<usize> = (0..clearance.len()).filter(|&cell| self.occupied[cell]).collect();
-        while let Some(cell) = waiting.pop_front() {
+    /// Tells the cells around what has been put on the map.
+    fn spread(&mut self) {
+        while let Some(cell) = self.nearer.pop_front() {
             for (next, length) in self.neighbors(cell) {
-                let through = clearance[cell] + length * self.cell;
-                if through < clearance[next] {
-                    clearance[next] = through;
-                    waiting.push_back(next);
+                let through = self.clearance[cell] + length * self.cell;
+                if through < self.clearance[next] {
+                    self.clearance[next] = through;
+                    self.nearer.push_back(next);
                 }
             }
         }
-        clearance
     }
 
     /// The cells around one, with how far they are in cells.
@@ -176,7 +185,7 @@ impl Planner {
     }
 
     fn is_near(&self, cell: usize, start: usize) -> bool {
-        !self.occupied[cell] && self.length(cell, start) * self.cell <= self.radius
+        self.clearance[cell] > 0.0 && self.length(cell, start) * self.cell <= self.radius
     }
 
     /// The cells that a line goes through.
@@ -223,7 +232,8 @@ mod tests {
     }
 
     /// The way from a place to the goal, m.
-    fn length(planner: &Planner, from: Vector2<f64>) -> f64 {
+    fn length(planner: &mut Planner, from: Vector2<f64>) -> f64 {
+        planner.spread();
         let mut way = vec![from];
         way.extend(planner.plan(from));
         way.windows(2).map(|ends| (ends[1] - ends[0]).norm()).sum()
@@ -233,12 +243,12 @@ mod tests {
     fn a_way_leads_through_the_door_until_that_is_seen_to_be_shut() {
         let mut planner = rooms();
         let start = Vector2::new(5.0, 5.0);
-        assert!(length(&planner, start) < 10.5, "{}", length(&planner, start));
+        assert!(length(&mut planner, start) < 10.5, "{}", length(&mut planner, start));
         for along in 0..40 {
             planner.learn(Vector2::new(10.0, 4.0 + f64::from(along) * 0.05));
         }
         // Around the end of the wall, from 5 to 16 m and back.
-        let around = length(&planner, start);
+        let around = length(&mut planner, start);
         assert!((24.0..29.0).contains(&around), "{around}");
         planner.obey(Request::Plan, start);
         let first = planner.waypoint().unwrap();
@@ -247,12 +257,12 @@ mod tests {
 
     #[test]
     fn a_way_keeps_away_from_walls_and_ends_at_the_goal() {
-        let planner = rooms();
+        let mut planner = rooms();
+        planner.spread();
         let way = planner.plan(Vector2::new(5.0, 12.0));
         assert_eq!(way.last(), Some(&Vector2::new(15.0, 5.0)));
-        let clearance = planner.clearances();
         let cells: Vec<usize> = way.windows(2).flat_map(|ends| planner.line(ends[0], ends[1])).collect();
-        assert!(cells.iter().all(|cell| clearance[*cell] > 0.5));
+        assert!(cells.iter().all(|cell| planner.clearance[*cell] > 0.5));
     }
 
     #[test]
