@@ -19,14 +19,14 @@ arbiter as_printed on labmate {
     client wander = simple_navigation              priority 9
 }
 
-/// Turns away from the wall, and goes on along it.
+/// Turns away from the wall, and goes on along it or off.
 scenario turns_away runs as_meant on labmate in wall_on_the_right {
     duration 30 s
     tick 20 ms
     place robot at (1 m, 0 m) heading -10 deg
     expect modes wander, avoid
     expect never front_bumper or back_bumper
-    expect x > 4 m
+    expect x > 4 m or y > 1 m
 }
 
 /// Turns towards the wall and on around, and gets nowhere.
@@ -35,5 +35,5 @@ scenario turns_towards runs as_printed on labmate in wall_on_the_right {
     tick 20 ms
     place robot at (1 m, 0 m) heading -10 deg
     expect modes wander, avoid
-    expect never x > 3.5 m
+    expect never x > 3.5 m or y > 1 m
 }
