@@ -637,6 +637,31 @@ pub fn draw(state: &mut u64, low: f64, high: f64) -> f64 {
     if drawn > high { high } else { drawn }
 }
 
+/// The place of the smallest priority among those that propose something; of several the first.
+#[inline]
+pub fn first_choice(levels: &[Option<u32>]) -> Option<usize> {
+    let best = levels.iter().flatten().min();
+    let mut places = (0..levels.len()).zip(levels);
+    places.find(|(_, level)| level.is_some() && level.as_ref() == best).map(|(place, _)| place)
+}
+
+/// The same, of several one by chance; a number is drawn only where there are several.
+#[inline]
+pub fn any_choice(levels: &[Option<u32>], random: &mut u64) -> Option<usize> {
+    let best = levels.iter().flatten().min();
+    let places = (0..levels.len()).zip(levels).filter(|(_, level)| level.is_some() && level.as_ref() == best);
+    let count = places.clone().fold(0.0, |count, _| count + 1.0);
+    let drawn = if count > 1.0 { draw(random, 0.0, count) } else { 0.0 };
+    let (mut chosen, mut before) = (None, 0.0);
+    for (place, _) in places {
+        if before <= drawn {
+            chosen = Some(place);
+        }
+        before += 1.0;
+    }
+    chosen
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -23,7 +23,12 @@
     clippy::wrong_self_convention,
     reason = "names and documentation are the user's"
 )]
-#[allow(clippy::unused_self, dead_code, reason = "a robot need not use everything")]
+#[allow(
+    clippy::unnecessary_wraps,
+    clippy::unused_self,
+    dead_code,
+    reason = "a robot need not use everything"
+)]
 #[allow(clippy::inline_always, reason = "strengths stay in registers")]
 #[allow(
     clippy::fn_params_excessive_bools,
@@ -39,11 +44,13 @@
     clippy::double_comparisons,
     clippy::eq_op,
     clippy::if_same_then_else,
+    clippy::ifs_same_cond,
     clippy::manual_range_contains,
     clippy::match_same_arms,
     clippy::neg_cmp_op_on_partial_ord,
     clippy::nonminimal_bool,
     clippy::overly_complex_bool_expr,
+    clippy::same_functions_in_if_condition,
     reason = "conditions are the user's"
 )]
 pub mod switching {

@@ -85,7 +85,9 @@ impl Build {
             return Err(exit_code(&analysis));
         }
         let diagrams = analysis.program.diagrams.values().filter(|of| analysis.roots.contains(&of.symbol.span.file));
-        for arbiter in diagrams.filter(|of| of.arbiter.is_some() && !matches!(self.emit, Emit::Ir)) {
+        for arbiter in
+            diagrams.filter(|of| of.arbiter.is_some() && !matches!(self.emit, Emit::Ir | Emit::Rust | Emit::Plan))
+        {
             let name = &arbiter.symbol.name;
             terminal.note(&format!(
                 "note: the arbiter `{name}` is left out: this version makes its clients, not the choice between them"

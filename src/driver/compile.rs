@@ -30,7 +30,7 @@ pub struct Plans {
 }
 
 impl Analysis {
-    /// Rust for the behaviors and networks that the roots declare, for the behaviors that their scenarios run, and for
+    /// Rust for the behaviors, arbiters and networks that the roots declare, for the behaviors that their scenarios run, and for
     /// the networks that these sense through.
     ///
     /// # Errors
@@ -57,7 +57,6 @@ impl Analysis {
             .map(|scenario| scenario.diagram)
             .collect();
         let chosen = program.diagrams.iter().filter(|(id, diagram)| is_own(&diagram.symbol) || run.contains(id));
-        let chosen = chosen.filter(|(_, diagram)| diagram.arbiter.is_none());
         let diagrams = chosen
             .map(|(id, diagram)| Ok(plan::build_on(checked, id, self.platform(diagram, robot)?, &[])))
             .collect::<Result<Vec<_>, _>>()?;

@@ -71,6 +71,7 @@ impl Wiring<'_> {
             fields.push(elapsed(u64::MAX));
         }
         fields.extend(self.resumed());
+        fields.extend(self.fields_of_clients());
         fields
     }
 

@@ -80,7 +80,8 @@ impl Inner {
 
 /// The names by which inner diagrams are reached.
 pub(super) fn doors(inner: &[Rc<Wiring<'_>>], fields: &mut Scope) -> Vec<Door> {
-    let mut adapters = Scope::new(&["Inputs", "Failed", "Robot", "Mode", "State", "Machine", "R"]);
+    let mut adapters =
+        Scope::new(&["Inputs", "Failed", "Robot", "Mode", "State", "Machine", "R", "Command", "Proposal"]);
     let door = |inner: &Rc<Wiring<'_>>| {
         let name = plain(&inner.module);
         Door { told: fields.snake(&name), adapter: adapters.camel(&name) }
@@ -99,25 +100,53 @@ impl Wiring<'_> {
     pub(super) fn told(&self) -> Vec<TokenStream> {
         let told = self.doors.iter().zip(&self.inner).map(|(door, inner)| {
             let (told, module) = (&door.told, &inner.module);
-            let fields = |names: BTreeMap<u32, &Ident>, place: &TokenStream| {
+            let fields = |names: BTreeMap<u32, &Ident>, place: &TokenStream, of_client: fn(&Ident) -> TokenStream| {
                 let fields = names.into_iter().map(|(input, name)| {
                     let own = &self.sensors[input as usize];
-                    quote! { #name: #place.#own }
+                    let value =
+                        self.outcome(input).map_or_else(|| quote! { #place.#own }, |outcome| of_client(&outcome));
+                    quote! { #name: #value }
                 });
                 fields.collect::<Vec<_>>()
             };
-            let readings = fields(inner.asked(), &quote! { self });
-            let failed = fields(inner.watched(), &quote! { self.failed });
+            let readings =
+                fields(inner.asked(), &quote! { self }, |outcome| quote! { if #outcome { 1.0 } else { 0.0 } });
+            let failed = fields(inner.watched(), &quote! { self.failed }, |_| quote! { false });
             let failed = (!failed.is_empty()).then(|| quote! { failed: super::#module::Failed { #(#failed),* }, });
             let (given, done) = inner.uses_done.then(|| (quote! { , done: bool }, quote! { done })).unzip();
+            let outcomes = inner.read.iter().filter_map(|&input| self.outcome(input));
+            let outcomes: Vec<_> = outcomes.collect();
             quote! {
                 #[inline]
-                fn #told(&self #given) -> super::#module::Inputs {
+                fn #told(&self #given #(, #outcomes: bool)*) -> super::#module::Inputs {
                     super::#module::Inputs { #(#readings,)* #failed #done }
                 }
             }
         });
         told.collect()
+    }
+
+    /// What an arbiter tells its clients in the place of a reading: whether they won, or lost.
+    pub(super) fn outcome(&self, input: u32) -> Option<Ident> {
+        let arbiter = self.plan.arbiter.as_ref()?;
+        let outcomes = [(arbiter.won, "won"), (arbiter.lost, "lost")];
+        outcomes.iter().find(|(of, _)| *of == Some(input)).map(|(_, name)| format_ident!("{name}"))
+    }
+
+    /// The readings of a client, told whether it had the robot, and whether it lost.
+    pub(super) fn tell_client(
+        &self,
+        position: usize,
+        done: &TokenStream,
+        won: &TokenStream,
+        lost: Option<&TokenStream>,
+    ) -> TokenStream {
+        let (inner, told) = (&self.inner[position], &self.doors[position].told);
+        let done = inner.uses_done.then_some(done);
+        let outcomes = inner.read.iter().filter_map(|&input| self.outcome(input));
+        let outcomes = outcomes.filter_map(|outcome| if outcome == "won" { Some(won) } else { lost });
+        let arguments = done.into_iter().chain(outcomes);
+        quote! { inputs.#told(#(#arguments),*) }
     }
 
     /// What is read for it and for what runs inside it, by input.

@@ -25,7 +25,7 @@ pub const LINTS: [(&str, &[&str]); 6] = [
             "clippy::wrong_self_convention",
         ],
     ),
-    ("a robot need not use everything", &["clippy::unused_self", "dead_code"]),
+    ("a robot need not use everything", &["clippy::unnecessary_wraps", "clippy::unused_self", "dead_code"]),
     ("strengths stay in registers", &["clippy::inline_always"]),
     (
         "sizes are the user's",
@@ -45,11 +45,13 @@ pub const LINTS: [(&str, &[&str]); 6] = [
             "clippy::double_comparisons",
             "clippy::eq_op",
             "clippy::if_same_then_else",
+            "clippy::ifs_same_cond",
             "clippy::manual_range_contains",
             "clippy::match_same_arms",
             "clippy::neg_cmp_op_on_partial_ord",
             "clippy::nonminimal_bool",
             "clippy::overly_complex_bool_expr",
+            "clippy::same_functions_in_if_condition",
         ],
     ),
 ];

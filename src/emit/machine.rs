@@ -7,17 +7,21 @@ use quote::quote;
 
 use super::network;
 use super::wiring::{Says, Wiring};
-use super::{Emission, kernel_text, layout, lints, step};
-use crate::plan::{Action, Grouping, Step};
+use super::{Emission, arbiter, kernel_text, layout, lints, step};
+use crate::plan::{Action, Grouping, Step, Ties};
 
 /// The module of a diagram.
 pub(super) fn module(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
     let (plan, name) = (wiring.plan, &wiring.module);
-    let place = format!("Behavior `{}` on `{}`, {}.", plan.name, plan.robot, emission.places.place(plan.origin.span));
+    let kind = if plan.arbiter.is_some() { "Arbiter" } else { "Behavior" };
+    let place = format!("{kind} `{}` on `{}`, {}.", plan.name, plan.robot, emission.places.place(plan.origin.span));
     let (doc, allowed, blank) = (layout::doc(&[&plan.origin.doc, &place]), lints::of_diagram(), layout::blank());
     let (inputs, robot) = (inputs(emission, wiring), robot(emission, wiring));
     let (state, machine) = (state(emission, wiring), machine(emission, wiring));
-    let adapters = wiring.adapters(emission);
+    let adapters = match plan.arbiter {
+        Some(_) => arbiter::proposals(emission, wiring),
+        None => wiring.adapters(emission),
+    };
     let kernel = kernel_text::import(&quote! { #inputs #machine });
     quote! {
         #blank
@@ -160,10 +164,12 @@ fn robot(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         let start = reports_done.then(|| quote! { start: bool });
         quote! { #doc fn #name(&mut self, #(#parameters: #float,)* #start) -> Result<(), Self::Error>; }
     });
-    let doc = layout::doc(&[
-        &format!("What the behavior asks of `{}`. Numbers are in SI units.", wiring.plan.robot),
-        "Every command of a tick is given on that tick, also where one before it has failed.",
-    ]);
+    let (who, how) = if wiring.plan.arbiter.is_some() {
+        ("arbiter", "At most one command is given on a tick.")
+    } else {
+        ("behavior", "Every command of a tick is given on that tick, also where one before it has failed.")
+    };
+    let doc = layout::doc(&[&format!("What the {who} asks of `{}`. Numbers are in SI units.", wiring.plan.robot), how]);
     quote! {
         #blank
         #doc
@@ -198,13 +204,19 @@ fn state(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
             quote! { #doc #variant { #(#fields),* } }
         }
     });
+    let [modes, active] = if wiring.plan.arbiter.is_some() {
+        ["Who can have the robot.", "Who has the robot."]
+    } else {
+        ["The modes.", "The active mode, and what it remembers since it was entered."]
+    };
+    let [modes, active] = [modes, active].map(|text| layout::doc(&[text]));
     let (mode, state) = (
         emission.derives(&["Debug", "Clone", "Copy", "PartialEq", "Eq", "Hash"]),
         emission.derives(&["Debug", "Clone", "Copy", "PartialEq"]),
     );
     quote! {
         #blank
-        /// The modes.
+        #modes
         #mode
         pub enum Mode { #(#documented),* }
         #blank
@@ -216,7 +228,7 @@ fn state(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
             }
         }
         #blank
-        /// The active mode, and what it remembers since it was entered.
+        #active
         #state
         pub enum State { #(#states),* }
         #blank
@@ -241,13 +253,15 @@ fn machine(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         let (name, initial) = (&field.name, field.initial.iter());
         quote! { #name #(: #initial)* }
     });
-    let random = wiring.draws.then(|| {
+    let is_drawn_from = wiring.plan.arbiter.as_ref().is_none_or(|arbiter| arbiter.ties == Ties::Random);
+    let random = (wiring.draws && is_drawn_from).then(|| {
         quote! {
             /// The state of the stream of random numbers.
             pub random: u64,
         }
     });
-    let (seed, seeded) = (wiring.draws.then(|| quote! { seed: u64 }), wiring.draws.then(|| quote! { random: seed, }));
+    let (seed, seeded) =
+        (wiring.draws.then(|| quote! { seed: u64 }), random.as_ref().map(|_| quote! { random: seed, }));
     let before = "A machine before its first tick.";
     let doc = layout::doc(&[&if wiring.draws {
         format!("{before} Everything random follows from `seed`.")
@@ -265,7 +279,12 @@ fn machine(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
             }
         }
     });
-    let step = step::methods(emission, wiring);
+    let step = match &wiring.plan.arbiter {
+        Some(arbiter) => arbiter::step(emission, wiring, arbiter),
+        None => step::methods(emission, wiring),
+    };
+    let seeds = wiring.seeded_clients();
+    let constant = seeds.is_none().then(|| quote! { const });
     quote! {
         #blank
         /// The behavior being run. It is plain data: a copy is a saved state, and assigning it restores it.
@@ -281,7 +300,8 @@ fn machine(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStream {
         impl Machine {
             #doc
             #[must_use]
-            pub const fn new(#seed) -> Self {
+            pub #constant fn new(#seed) -> Self {
+                #seeds
                 Self { state: None, #seeded #(#initial),* }
             }
             #blank

@@ -3,6 +3,7 @@
 //! Imports: base, kernel, plan
 //! Crates: prettyplease, proc-macro2, quote, syn
 
+mod arbiter;
 mod block;
 mod columns;
 mod defuzzify;
@@ -101,7 +102,7 @@ pub fn rust(program: &Program<'_>, options: &Options) -> String {
     let mut wirings: Vec<Rc<Wiring<'_>>> = Vec::new();
     for plan in &plans {
         let known = |inner| wirings.iter().find(|wiring| layers::is_same(wiring.plan, inner)).map(Rc::clone);
-        let inner = plan.inner.iter().filter_map(known).collect();
+        let inner = plan.runs().filter_map(known).collect();
         let named = (modules.snake(&plan.name), Role::of(plan, &plans));
         let wiring = Rc::new(Wiring::new(plan, named, &by_position, inner));
         items.extend(machine::module(emission, &wiring));

@@ -300,6 +300,8 @@ pub(super) enum Time {
     Leaving,
     /// By the decision table of a mode that goes on.
     Deciding,
+    /// By an emergency, once the robot may have changed hands.
+    Arbitrating,
 }
 
 /// The calls of commands.
@@ -311,6 +313,7 @@ pub(super) fn calls(block: &Block<'_>, calls: &Range<u32>, time: Time) -> Vec<To
         let start = plan.actions[call.action as usize].reports_done.then(|| {
             match (time, block.mode.and_then(|mode| mode.table.as_ref())) {
                 (Time::Deciding, Some(Table { begins, .. })) => quote! { #begins },
+                (Time::Arbitrating, _) => quote! { changed },
                 _ => {
                     let starts = time != Time::Staying;
                     quote! { #starts }

@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use proc_macro2::Ident;
 
+use super::arbiter::{self, ClientParts};
 use super::graph::{Graph, Node, part};
 use super::layers::{self, Door, Role};
 use super::modes::{self, ModeParts};
@@ -60,6 +61,8 @@ pub(super) struct Wiring<'a> {
     /// What runs inside its modes, and how that is reached.
     pub(super) inner: Vec<Rc<Wiring<'a>>>,
     pub(super) doors: Vec<Door>,
+    /// Of an arbiter.
+    pub(super) clients: Vec<ClientParts>,
 }
 
 /// How an action is called.
@@ -110,7 +113,9 @@ impl<'a> Wiring<'a> {
     ) -> Self {
         let mut graph = Graph::new(&plan.code);
         let mut fields = Scope::new(&["failed", "done"]);
-        let mut locals = Scope::new(&OURS);
+        let ours = plan.arbiter.iter().flat_map(|_| arbiter::OURS);
+        let mut locals = Scope::new(&OURS.into_iter().chain(ours).collect::<Vec<_>>());
+        let clients = arbiter::clients(plan, &inner, &mut locals);
         let sensors = plan.inputs.iter().map(|input| fields.snake(&input.name)).collect();
         let doors = layers::doors(&inner, &mut fields);
         let required = plan.required.iter().copied();
@@ -126,6 +131,7 @@ impl<'a> Wiring<'a> {
             texts: HashMap::new(),
             logical: BTreeMap::new(),
             read: inner.iter().flat_map(|inner| inner.read.iter().copied()).collect(),
+            clients,
             grouped: BTreeSet::new(),
             watched: inner.iter().flat_map(|inner| inner.watched.iter().copied()).chain(required).collect(),
             uses_done: inner.iter().any(|inner| inner.uses_done),
@@ -185,7 +191,9 @@ impl<'a> Wiring<'a> {
             }
         }
         wiring.look_at(&live, &mut locals);
-        wiring.always = wiring.graph.needed(wiring.remembering(&live), &BTreeSet::new());
+        let arbitrated = arbiter::conditions(plan).filter_map(|condition| wiring.graph.bool(condition));
+        let always = wiring.remembering(&live).into_iter().chain(arbitrated);
+        wiring.always = wiring.graph.needed(always, &BTreeSet::new());
         wiring.keep(&live, &mut locals);
         wiring.modes = modes::all(&wiring, &mut locals);
         wiring
@@ -236,14 +244,18 @@ impl<'a> Wiring<'a> {
     }
 
     fn live(&self) -> BTreeSet<Node> {
-        let conditions = self.conditions(&(0..self.plan.transitions.len() as u32));
+        let arbitrated = arbiter::conditions(self.plan).filter_map(|condition| self.graph.bool(condition));
+        let arbitrated = self.graph.needed(arbitrated, &BTreeSet::new());
+        let conditions = &self.conditions(&(0..self.plan.transitions.len() as u32)) | &arbitrated;
         let entered = self.entered();
         let commands = self.plan.modes.iter().zip(0..).flat_map(|(mode, position)| {
             let is_left = !mode.transitions.is_empty() || mode.otherwise.is_some();
             let entering = entered.contains(&position).then_some(&mode.on_enter);
             [Some(&mode.actions), entering, is_left.then_some(&mode.on_exit)].into_iter().flatten()
         });
-        let given: BTreeSet<Node> = commands.flat_map(|calls| self.given(calls)).collect();
+        let emergencies = self.plan.arbiter.iter().flat_map(|arbiter| &arbiter.emergencies);
+        let emergencies = emergencies.flat_map(|emergency| self.given(&(emergency.call..emergency.call + 1)));
+        let given: BTreeSet<Node> = commands.flat_map(|calls| self.given(calls)).chain(emergencies).collect();
         let rows = self.plan.modes.iter().flat_map(|mode| table::rows(self.plan, mode));
         let decided = rows.flat_map(|row| self.given(&row.calls).into_iter().chain(self.graph.bool(row.condition)));
         let others = self.graph.needed(given.into_iter().chain(decided), &BTreeSet::new());

@@ -39,6 +39,8 @@ pub(super) struct Clients<'p> {
     pub(super) machines: Vec<Machine<'p>>,
     pub(super) proposals: Vec<Proposal>,
     readings: Vec<Reading>,
+    /// The priorities of what is proposed.
+    levels: Vec<Option<u32>>,
 }
 
 impl<'p> Clients<'p> {
@@ -50,7 +52,8 @@ impl<'p> Clients<'p> {
         let proposal = || Proposal { action: None, arguments: Vec::with_capacity(longest), start: false, won: false };
         let proposals = machines.iter().map(|_| proposal()).collect();
         let room = if machines.is_empty() { 0 } else { plan.inputs.len() };
-        Self { machines, proposals, readings: Vec::with_capacity(room) }
+        let levels = Vec::with_capacity(machines.len());
+        Self { machines, proposals, readings: Vec::with_capacity(room), levels }
     }
 
     /// One tick of every client.
@@ -70,21 +73,18 @@ impl<'p> Clients<'p> {
         }
     }
 
-    /// Who wins of those that propose something: the smallest number.
+    /// Who wins of those that propose something, each with its priority.
     pub(super) fn choose(
-        &self,
-        priorities: impl Iterator<Item = Option<u32>> + Clone,
+        &mut self,
+        priorities: impl Iterator<Item = Option<u32>>,
         ties: Ties,
         random: &mut u64,
     ) -> Option<usize> {
-        let proposed = self.proposals.iter().zip(priorities).enumerate();
-        let proposed = proposed.filter_map(|(place, (proposal, level))| Some((level?, place, proposal.action?)));
-        let best = proposed.clone().map(|(level, ..)| level).min()?;
-        let mut best = proposed.filter(|(level, ..)| *level == best).map(|(_, place, _)| place);
-        let count = best.clone().count();
+        self.levels.clear();
+        self.levels.extend(self.proposals.iter().zip(priorities).map(|(proposal, level)| proposal.action.and(level)));
         match ties {
-            Ties::Random if count > 1 => best.nth((kernel::draw(random, 0.0, count as f64) as usize).min(count - 1)),
-            Ties::InOrder | Ties::Random => best.next(),
+            Ties::InOrder => kernel::first_choice(&self.levels),
+            Ties::Random => kernel::any_choice(&self.levels, random),
         }
     }
 

@@ -64,11 +64,7 @@ impl Diagram {
             let rows = mode.decision.iter().flat_map(|table| &table.rows).map(|row| row.condition);
             rows.chain(mode.transitions.iter().map(|transition| transition.condition))
         });
-        let of_arbiter = self.arbiter.iter().flat_map(|arbiter| {
-            let priorities = arbiter.clients.iter().flat_map(|client| &client.priorities);
-            let emergencies = arbiter.emergencies.iter().map(|emergency| emergency.condition);
-            emergencies.chain(priorities.filter_map(|(_, when)| *when))
-        });
+        let of_arbiter = self.arbiter.iter().flat_map(Arbiter::conditions);
         self.flags.values().map(|flag| flag.condition).chain(of_modes).chain(of_arbiter)
     }
 }
@@ -152,6 +148,13 @@ impl Arbiter {
     pub const EMERGENCY: Id<Mode> = Id::new(1);
     /// How many modes stand before those of the clients.
     pub const OTHERS: u32 = 2;
+
+    /// When there are emergencies, and on what priorities depend.
+    pub fn conditions(&self) -> impl Iterator<Item = Id<Expr>> {
+        let priorities = self.clients.iter().flat_map(|client| &client.priorities);
+        let emergencies = self.emergencies.iter().map(|emergency| emergency.condition);
+        emergencies.chain(priorities.filter_map(|(_, when)| *when))
+    }
 }
 
 /// A command that goes straight to the body.

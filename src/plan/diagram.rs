@@ -102,8 +102,9 @@ pub fn build_on(checked: Checked<'_>, diagram: Id<ir::Diagram>, on: ir::Platform
     // What remembers must run on every tick, whichever mode is active.
     let of_flags = diagram.flags.values().map(|flag| flag.condition);
     let of_modes = diagram.modes.values().flat_map(|mode| &mode.transitions).map(|transition| transition.condition);
+    let of_arbiter = diagram.arbiter.iter().flat_map(ir::Arbiter::conditions);
     let mut remembered: Vec<(Bool, String)> = Vec::new();
-    for id in of_flags.chain(of_modes).flat_map(|condition| reachable(program, condition)) {
+    for id in of_flags.chain(of_modes).chain(of_arbiter).flat_map(|condition| reachable(program, condition)) {
         if let Some(operand) = remembers(&program.exprs[id].op) {
             builder.expr(id, &names);
             let operand = (builder.expr(operand, &names), checked.on_one_line(program.exprs[operand].span));

@@ -157,14 +157,22 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Whether it, or what runs inside it, draws random numbers.
-    pub fn is_random(&self) -> bool {
-        !self.draws.is_empty() || self.inner.iter().any(Self::is_random)
+    /// What runs inside its modes, or the clients of an arbiter.
+    pub fn runs(&self) -> impl Iterator<Item = &Self> {
+        self.inner
+            .iter()
+            .chain(self.arbiter.iter().flat_map(|arbiter| arbiter.clients.iter().map(|client| &*client.plan)))
     }
 
-    /// It and all that runs inside it, inner ones first.
+    /// Whether it, or what it runs, draws random numbers.
+    pub fn is_random(&self) -> bool {
+        let has_ties = self.arbiter.as_ref().is_some_and(|arbiter| arbiter.ties == Ties::Random);
+        has_ties || !self.draws.is_empty() || self.runs().any(Self::is_random)
+    }
+
+    /// It and all that it runs, inner ones first.
     pub fn layers(&self) -> Vec<&Self> {
-        self.inner.iter().flat_map(Self::layers).chain([self]).collect()
+        self.runs().flat_map(Self::layers).chain([self]).collect()
     }
 }
 

@@ -23,7 +23,12 @@
     clippy::wrong_self_convention,
     reason = "names and documentation are the user's"
 )]
-#[allow(clippy::unused_self, dead_code, reason = "a robot need not use everything")]
+#[allow(
+    clippy::unnecessary_wraps,
+    clippy::unused_self,
+    dead_code,
+    reason = "a robot need not use everything"
+)]
 #[allow(clippy::inline_always, reason = "strengths stay in registers")]
 #[allow(
     clippy::fn_params_excessive_bools,

@@ -114,24 +114,34 @@ struct Program {
 }
 
 /// The text of a `.fsfn` file and of a `.msd` file that imports it as `n`. The behavior is called `b`; every third
-/// program has another one, `c`, an activity `t` that runs both, and a goal `g` that runs the activity. Programs of odd
-/// numbers have outputs.
+/// program has another one, `c`, an activity `t` that runs both, and a goal `g` that runs the activity; every 25th an
+/// arbiter, `r`, with its clients. Programs of odd numbers have outputs.
 pub fn program(seed: u64) -> (String, String) {
     let (smooth, draws) = (seed.is_multiple_of(3), !seed.is_multiple_of(4));
     let (terms, networks, outputs, inputs, inner) = Default::default();
     let random = Random(seed);
     let mut program = Program { random, smooth, draws, terms, networks, outputs, inputs, inner, completes: true };
     let fusion = program.fusion(seed % 2 == 1);
-    let mut modes = program.robot() + &program.diagram("behavior b", &[]);
+    let is_arbitrated = seed % 25 == 2;
+    let mut modes = program.robot(is_arbitrated) + &program.diagram("behavior b", &[]);
     if seed % 3 == 1 {
         modes += &program.diagram("behavior c", &[]);
         modes += &program.diagram("activity t", &["b", "c"]);
         modes += &program.diagram("goal g", &["t", "t", "c"]);
     }
+    if is_arbitrated {
+        modes += &program.diagram("behavior client_one", &[]);
+        modes += &program.diagram("behavior client_two", &[]);
+        modes += &program.arbiter(&["client_one", "client_two", "client_one"]);
+    }
     (fusion, modes)
 }
 
 const SENSORS: usize = 4;
+
+const DRIVE: &str =
+    "behavior cart_drive on cart { entry idle  mode idle { brake()  1: command is turn and c -> idle_too }
+    mode idle_too { brake()  1: after 1 s -> idle } }\n";
 
 /// What feeds networks and is compared: sensors, elements of an array, logical sensors.
 const READINGS: [&str; 12] =
@@ -424,8 +434,10 @@ impl Program {
         self.random.one_of(if self.draws { &calls } else { &calls[..3] }).to_owned()
     }
 
-    fn robot(&mut self) -> String {
-        let mut text = "import n\nrobot cart {\n".to_owned();
+    /// Where behaviors share it, its commands are carried out by one of its own: only then do they see who won.
+    fn robot(&mut self, is_arbitrated: bool) -> String {
+        let (runs, drive) = if is_arbitrated { (" runs cart_drive", DRIVE) } else { ("", "") };
+        let mut text = format!("import n\n{drive}robot cart{runs} {{\n");
         for sensor in 0..SENSORS {
             let optional = if sensor > 1 { "optional " } else { "" };
             let range = self.random.one_of(&["0 .. 10", "-2 .. 12", "1 .. 9"]);
@@ -438,6 +450,10 @@ impl Program {
     logical middle = median(s0, s1, a)\n    logical between = median(a[0, 2])\n    logical touched = any(b, c)
     logical held = all(b)\n    logical steady = s0 within 60 ms\n    logical exact = min(a, s1) within 1
     logical slow = median(a[0], s0, s2) within 80 ms\n";
+        if is_arbitrated {
+            text += "    body differential_drive { mass 20 kg  size (0.6 m, 0.5 m)  track 0.4 m  traction 0.5 }\n";
+            text += "    action brake() = body.stop()\n";
+        }
         text += "    action halt()\n    action drive(speed: m/s)\n    action arc(speed: m/s, radius: m)
     action turn(angle: deg) -> done\n    action to_ring(times: 1)\n}\n";
         text
@@ -447,6 +463,9 @@ impl Program {
     fn diagram(&mut self, title: &str, inner: &[&str]) -> String {
         let mut text = format!("{title} on cart {{\n");
         self.inputs.clear();
+        if inner.is_empty() {
+            self.inner.clear();
+        }
         for network in 0..self.networks.len() {
             for name in ["", "again_"] {
                 let variables = self.networks[network].0.clone();
@@ -483,20 +502,29 @@ impl Program {
                     let resume = self.random.one_of(&["", " resume"]);
                     writeln!(text, "    mode m{mode} = {inner}{resume}{requires} {{").unwrap();
                 }
-                None => writeln!(text, "    mode m{mode}{requires} {{\n        {turn}").unwrap(),
+                None => writeln!(text, "    mode m{mode}{requires} {{").unwrap(),
+            }
+            // A client gives one command on a tick.
+            let is_client = title.starts_with("behavior client");
+            let decides = inner.is_empty() && self.random.chance(2);
+            let mut turns = !is_client;
+            if inner.is_empty() && !(is_client && decides) {
+                let command = if is_client { self.call() } else { turn.to_owned() };
+                turns |= command.starts_with("turn");
+                writeln!(text, "        {command}").unwrap();
             }
             let whens: &[&str] = if inner.is_empty() { &["on enter", "on exit", ""] } else { &["on enter", "on exit"] };
-            for &when in whens {
+            for &when in whens.iter().filter(|_| !is_client) {
                 if self.random.chance(3) {
                     let (first, second) = (self.call(), self.random.one_of(&["to_ring(2)", "halt()"]));
                     let calls = if when.is_empty() { first } else { format!("{when} {{ {first}  {second} }}") };
                     writeln!(text, "        {calls}").unwrap();
                 }
             }
-            if inner.is_empty() && self.random.chance(2) {
+            if decides {
                 text += &self.table(flags);
             }
-            self.completes = inner.get(mode as usize).is_none_or(|inner| *inner == "c");
+            self.completes = inner.get(mode as usize).map_or(turns, |inner| *inner == "c");
             for priority in 1..=1 + self.random.below(4) {
                 let target = self.random.below(modes);
                 let target = if target == mode { "again".to_owned() } else { format!("m{target}") };
@@ -505,11 +533,47 @@ impl Program {
             if title == "behavior c" {
                 text += "        9: after 130 ms -> end\n";
             }
+            if is_client {
+                let outcome = self.random.one_of(&["won", "lost", "held(lost, 20 ms)", "not won and lost"]);
+                writeln!(text, "        9: {outcome} and {} -> m{}", self.atom(), self.random.below(modes)).unwrap();
+            }
             text += "    }\n";
         }
         self.completes = true;
         if title == "behavior c" {
             text += "    final mode end { halt() }\n";
+        }
+        text + "}\n"
+    }
+
+    /// An arbiter of some clients.
+    fn arbiter(&mut self, clients: &[&str]) -> String {
+        let mut text =
+            format!("arbiter r on cart {{\n    ties {}\n", self.random.one_of(&["in_order", "random", "random"]));
+        let mut condition = || {
+            let contact = self.random.one_of(&CONTACTS);
+            let reading = self.random.one_of(&READINGS);
+            self.random.one_of(&[
+                contact.to_owned(),
+                format!("{reading} > 6"),
+                format!("rising({contact})"),
+                format!("held({reading} > 3, 40 ms)"),
+                format!("latched({contact}) and {reading} > 4"),
+                format!("count({contact}) >= 2"),
+                "after 50 ms".to_owned(),
+                "failed(s1)".to_owned(),
+            ])
+        };
+        let conditions: Vec<_> = (0..3 + clients.len()).map(|_| condition()).collect();
+        let (bypass, levels) = conditions.split_at(self.random.below(4) as usize);
+        for condition in bypass {
+            writeln!(text, "    emergency {condition} and not c -> brake()").unwrap();
+        }
+        for ((place, client), condition) in clients.iter().enumerate().zip(levels) {
+            let level = 1 + self.random.below(3);
+            let rest = self.random.one_of(&["", " else 2", " else 3"]);
+            let when = if self.random.chance(2) { format!(" when {condition}{rest}") } else { String::new() };
+            writeln!(text, "    client p{place} = {client} priority {level}{when}").unwrap();
         }
         text + "}\n"
     }
