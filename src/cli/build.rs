@@ -89,9 +89,7 @@ impl Build {
             diagrams.filter(|of| of.arbiter.is_some() && !matches!(self.emit, Emit::Ir | Emit::Rust | Emit::Plan))
         {
             let name = &arbiter.symbol.name;
-            terminal.note(&format!(
-                "note: the arbiter `{name}` is left out: this version makes its clients, not the choice between them"
-            ));
+            terminal.note(&format!("note: the arbiter `{name}` is left out: this is made of its clients, one by one"));
         }
         match self.emit {
             Emit::Rust => self.write(&self.rust(&analysis, terminal)?, terminal)?,

@@ -30,8 +30,8 @@ pub struct Plans {
 }
 
 impl Analysis {
-    /// Rust for the behaviors, arbiters and networks that the roots declare, for the behaviors that their scenarios run, and for
-    /// the networks that these sense through.
+    /// Rust for the behaviors, arbiters and networks that the roots declare, for what their scenarios run, for the networks
+    /// that these sense through, and for what carries out the commands of an arbiter.
     ///
     /// # Errors
     /// Where there is nothing to compile, or no single way to do it.
@@ -57,8 +57,20 @@ impl Analysis {
             .map(|scenario| scenario.diagram)
             .collect();
         let chosen = program.diagrams.iter().filter(|(id, diagram)| is_own(&diagram.symbol) || run.contains(id));
+        let chosen: BTreeSet<_> = chosen.map(|(id, _)| id).collect();
+        // What an arbiter asks for is carried out by its robot's own behavior, where there is one.
+        let drives = chosen.iter().map(|id| &program.diagrams[*id]).filter(|diagram| diagram.arbiter.is_some());
+        let drives = drives.filter_map(|diagram| match diagram.platform {
+            ir::Platform::Robot(robot) => program.robots[robot].drive.as_ref()?.diagram,
+            ir::Platform::Interface(_) => None,
+        });
         let diagrams = chosen
-            .map(|(id, diagram)| Ok(plan::build_on(checked, id, self.platform(diagram, robot)?, &[])))
+            .iter()
+            .copied()
+            .chain(drives)
+            .collect::<BTreeSet<_>>()
+            .into_iter()
+            .map(|id| Ok(plan::build_on(checked, id, self.platform(&program.diagrams[id], robot)?, &[])))
             .collect::<Result<Vec<_>, _>>()?;
         let layers = diagrams.iter().flat_map(plan::Plan::layers);
         let sensed: BTreeSet<u32> = layers.flat_map(|diagram| &diagram.senses).map(|sense| sense.network).collect();

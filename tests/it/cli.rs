@@ -450,13 +450,18 @@ fn a_fault_on_the_command_line_may_be_of_a_group() {
 }
 
 #[test]
-fn an_arbiter_that_is_not_built_is_said_to_be_left_out() {
+fn an_arbiter_is_built_with_its_clients_and_what_carries_out_their_commands() {
     let text = "import std.behaviors.simple_navigation\nimport std.robots.labmate\n\
         behavior calm on labmate { entry rest  final mode rest { stop() } }\n\
         arbiter both on labmate { client calm = calm priority 2  client wander = simple_navigation priority 1 }\n";
-    let answer = Project::new(&[("both.msd", text)]).run(&["build", "both.msd"]);
-    assert!(answer.out.contains("pub mod calm"), "{}", answer.err);
-    assert!(answer.err.contains("the arbiter `both` is left out"), "{}", answer.err);
+    let project = Project::new(&[("both.msd", text)]);
+    let answer = project.run(&["build", "both.msd"]);
+    assert!(!answer.err.contains("left out"), "{}", answer.err);
+    for module in ["calm", "simple_navigation", "both", "labmate_drive"] {
+        assert_eq!(answer.out.matches(&format!("pub mod {module} {{")).count(), 1, "{module}");
+    }
+    let answer = project.run(&["build", "both.msd", "--emit", "dot"]);
+    assert!(answer.err.contains("the arbiter `both` is left out") && answer.out.contains("calm"), "{}", answer.err);
 }
 
 #[test]
