@@ -57,18 +57,15 @@ impl Analysis {
             .map(|scenario| scenario.diagram)
             .collect();
         let chosen = program.diagrams.iter().filter(|(id, diagram)| is_own(&diagram.symbol) || run.contains(id));
-        let chosen: BTreeSet<_> = chosen.map(|(id, _)| id).collect();
+        let mut chosen: BTreeSet<_> = chosen.map(|(id, _)| id).collect();
         // What an arbiter asks for is carried out by its robot's own behavior, where there is one.
-        let drives = chosen.iter().map(|id| &program.diagrams[*id]).filter(|diagram| diagram.arbiter.is_some());
-        let drives = drives.filter_map(|diagram| match diagram.platform {
+        let arbiters = chosen.iter().map(|id| &program.diagrams[*id]).filter(|diagram| diagram.arbiter.is_some());
+        let drives = arbiters.filter_map(|arbiter| match arbiter.platform {
             ir::Platform::Robot(robot) => program.robots[robot].drive.as_ref()?.diagram,
             ir::Platform::Interface(_) => None,
         });
+        chosen.extend(drives.collect::<Vec<_>>());
         let diagrams = chosen
-            .iter()
-            .copied()
-            .chain(drives)
-            .collect::<BTreeSet<_>>()
             .into_iter()
             .map(|id| Ok(plan::build_on(checked, id, self.platform(&program.diagrams[id], robot)?, &[])))
             .collect::<Result<Vec<_>, _>>()?;

@@ -3,17 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::block::Block;
 use super::graph::Node;
 use super::kept::Field;
-use super::names::Scope;
+use super::names::{Scope, plain};
 use super::step::{self, Time};
 use super::wiring::{ActionNames, Wiring};
 use super::{Emission, layout};
-use crate::plan::{self, Client, Plan, Ties};
+use crate::plan::{Arbiter, Client, Emergency, Plan, Ties};
 
 /// How a client is named.
 pub(super) struct ClientParts {
@@ -23,8 +23,8 @@ pub(super) struct ClientParts {
     lost: Option<Ident>,
 }
 
-/// The local names that arbitration uses.
-pub(super) const OURS: [&str; 5] = ["levels", "winner", "emergency", "next", "changed"];
+/// The local names that an arbiter uses.
+pub(super) const OURS: [&str; 7] = ["seed", "seeds", "levels", "winner", "emergency", "next", "changed"];
 
 /// The names of all clients.
 pub(super) fn clients(plan: &Plan, inner: &[Rc<Wiring<'_>>], locals: &mut Scope) -> Vec<ClientParts> {
@@ -36,14 +36,6 @@ pub(super) fn clients(plan: &Plan, inner: &[Rc<Wiring<'_>>], locals: &mut Scope)
     parts.collect()
 }
 
-/// What arbitration asks on every tick.
-pub(super) fn conditions(plan: &Plan) -> impl Iterator<Item = plan::Bool> {
-    plan.arbiter.iter().flat_map(|arbiter| {
-        let priorities = arbiter.clients.iter().flat_map(|client| &client.priorities);
-        arbiter.emergencies.iter().map(|emergency| emergency.condition).chain(priorities.filter_map(|(_, when)| *when))
-    })
-}
-
 impl Wiring<'_> {
     /// The fields of the machine for its clients.
     pub(super) fn fields_of_clients(&self) -> Vec<Field> {
@@ -51,13 +43,13 @@ impl Wiring<'_> {
             let module = &wiring.module;
             // One with random numbers gets a stream of its own.
             let machine = Field {
-                doc: format!("The client `{}`.", super::names::plain(field)),
+                doc: format!("The client `{}`.", plain(field)),
                 name: field.clone(),
                 kind: quote! { super::#module::Machine },
                 initial: (!wiring.draws).then(|| quote! { super::#module::Machine::new() }),
             };
             let lost = lost.as_ref().map(|lost| Field {
-                doc: format!("Whether another command was executed than that of `{}`.", super::names::plain(field)),
+                doc: format!("Whether another command was executed than that of `{}`.", plain(field)),
                 name: lost.clone(),
                 kind: quote! { bool },
                 initial: Some(quote! { false }),
@@ -170,26 +162,25 @@ pub(super) fn proposals(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStr
 }
 
 /// The method that lets all clients propose, and gives a command.
-pub(super) fn step(emission: Emission<'_>, wiring: &Wiring<'_>, arbiter: &plan::Arbiter) -> TokenStream {
+pub(super) fn step(emission: Emission<'_>, wiring: &Wiring<'_>, arbiter: &Arbiter) -> TokenStream {
     let blank = layout::blank();
     let mut block = Block::new(emission, wiring, None);
     block.remember();
-    let asked = conditions(wiring.plan).filter_map(|condition| wiring.graph.bool(condition));
+    let asked = arbiter.conditions().filter_map(|condition| wiring.graph.bool(condition));
     let given = arbiter.emergencies.iter().flat_map(|emergency| wiring.given(&(emergency.call..emergency.call + 1)));
     block.bind(asked.chain(given).collect::<BTreeSet<Node>>());
     let variant = |mode: usize| &wiring.modes[mode].variant;
-    let others = plan::Arbiter::OTHERS as usize;
-    let (nobody, emergency) = (variant(plan::Arbiter::NOBODY as usize), variant(plan::Arbiter::EMERGENCY as usize));
+    let others = Arbiter::OTHERS as usize;
+    let (nobody, emergency) = (variant(Arbiter::NOBODY as usize), variant(Arbiter::EMERGENCY as usize));
     let clients =
         || wiring.clients.iter().enumerate().map(|(place, parts)| (place, &parts.field, variant(others + place)));
     let proposed = clients().map(|(place, field, variant)| {
         let had = quote! { self.state == Some(State::#variant) };
         let lost = wiring.clients[place].lost.as_ref().map(|lost| quote! { self.#lost });
         let told = wiring.tell_client(place, &quote! { inputs.done && #had }, &had, lost.as_ref());
-        let dt = quote! { dt_ns };
         quote! {
             let mut #field = Proposal(None);
-            _ = self.#field.step(&#told, #dt, &mut #field);
+            _ = self.#field.step(&#told, dt_ns, &mut #field);
         }
     });
     let proposed: Vec<_> = proposed.collect();
@@ -202,13 +193,13 @@ pub(super) fn step(emission: Emission<'_>, wiring: &Wiring<'_>, arbiter: &plan::
         Ties::InOrder => quote! { kernel::first_choice(&levels) },
         Ties::Random => quote! { kernel::any_choice(&levels, &mut self.random) },
     };
-    let number = proc_macro2::Literal::usize_unsuffixed;
+    let number = Literal::usize_unsuffixed;
     let winners = clients().map(|(place, _, variant)| {
         let place = number(place);
         quote! { Some(#place) => State::#variant }
     });
     let winner = quote! { match winner { #(#winners,)* _ => State::#nobody } };
-    let condition = |emergency: &plan::Emergency| Some(block.value(wiring.graph.bool(emergency.condition)?).tokens());
+    let condition = |emergency: &Emergency| Some(block.value(wiring.graph.bool(emergency.condition)?).tokens());
     let conditions: Vec<_> = arbiter.emergencies.iter().filter_map(condition).collect();
     // The first that holds, before anything starts anew.
     let places = (0..conditions.len()).map(number);
@@ -225,7 +216,7 @@ pub(super) fn step(emission: Emission<'_>, wiring: &Wiring<'_>, arbiter: &plan::
         Some(quote! { self.#lost = #field.0.is_some() && next != State::#variant; })
     });
     let lost: Vec<_> = lost.collect();
-    let bypass = arbiter.emergencies.iter().enumerate().map(|(place, plan::Emergency { text, call, .. })| {
+    let bypass = arbiter.emergencies.iter().enumerate().map(|(place, Emergency { text, call, .. })| {
         let remark = layout::comment(text);
         let calls = step::calls(&block, &(*call..call + 1), Time::Arbitrating);
         let pattern = if place + 1 == conditions.len() {
@@ -280,7 +271,7 @@ pub(super) fn step(emission: Emission<'_>, wiring: &Wiring<'_>, arbiter: &plan::
 fn level(block: &Block<'_>, client: &Client) -> TokenStream {
     let (mut conditions, mut levels, mut last) = (Vec::new(), Vec::new(), quote! { None });
     for (level, when) in &client.priorities {
-        let level = proc_macro2::Literal::u32_unsuffixed(*level);
+        let level = Literal::u32_unsuffixed(*level);
         let Some(when) = when.and_then(|when| block.wiring.graph.bool(when)) else {
             last = quote! { Some(#level) };
             break;

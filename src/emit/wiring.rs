@@ -12,7 +12,7 @@ use super::modes::{self, ModeParts};
 use super::names::{Scope, plain};
 use super::network::Network;
 use super::table;
-use crate::plan::{Mode, Plan, Step, Value};
+use crate::plan::{Arbiter, Mode, Plan, Step, Value};
 
 /// A diagram taken apart: what it computes on every tick because it must be remembered, and what each mode computes
 /// when it is active.
@@ -191,8 +191,7 @@ impl<'a> Wiring<'a> {
             }
         }
         wiring.look_at(&live, &mut locals);
-        let arbitrated = arbiter::conditions(plan).filter_map(|condition| wiring.graph.bool(condition));
-        let always = wiring.remembering(&live).into_iter().chain(arbitrated);
+        let always = wiring.remembering(&live).into_iter().chain(wiring.arbitrated());
         wiring.always = wiring.graph.needed(always, &BTreeSet::new());
         wiring.keep(&live, &mut locals);
         wiring.modes = modes::all(&wiring, &mut locals);
@@ -243,9 +242,14 @@ impl<'a> Wiring<'a> {
         self.graph.needed(tables, &BTreeSet::new())
     }
 
+    /// What an arbiter asks on every tick.
+    fn arbitrated(&self) -> impl Iterator<Item = Node> {
+        let conditions = self.plan.arbiter.iter().flat_map(Arbiter::conditions);
+        conditions.filter_map(|condition| self.graph.bool(condition))
+    }
+
     fn live(&self) -> BTreeSet<Node> {
-        let arbitrated = arbiter::conditions(self.plan).filter_map(|condition| self.graph.bool(condition));
-        let arbitrated = self.graph.needed(arbitrated, &BTreeSet::new());
+        let arbitrated = self.graph.needed(self.arbitrated(), &BTreeSet::new());
         let conditions = &self.conditions(&(0..self.plan.transitions.len() as u32)) | &arbitrated;
         let entered = self.entered();
         let commands = self.plan.modes.iter().zip(0..).flat_map(|(mode, position)| {

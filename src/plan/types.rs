@@ -198,6 +198,13 @@ impl Arbiter {
     pub const EMERGENCY: u32 = 1;
     /// How many modes stand before those of the clients.
     pub const OTHERS: u32 = crate::ir::Arbiter::OTHERS;
+
+    /// When there are emergencies, and on what priorities depend.
+    pub fn conditions(&self) -> impl Iterator<Item = Bool> {
+        let priorities = self.clients.iter().flat_map(|client| &client.priorities);
+        let emergencies = self.emergencies.iter().map(|emergency| emergency.condition);
+        emergencies.chain(priorities.filter_map(|(_, when)| *when))
+    }
 }
 
 /// A command that goes straight to the body.

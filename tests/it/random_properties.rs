@@ -101,7 +101,7 @@ fn is_broken(analysis: &Analysis, property: &Property, random: &mut Random) -> b
 fn what_is_proved_is_not_broken_and_what_is_refuted_is() {
     let mut random = Random { state: 11, recalls: false };
     let (mut proved, mut refuted, mut open, mut replayed) = (0, 0, 0, 0);
-    for number in 0..30 {
+    for number in 0..20 {
         random.recalls = number % 3 == 0;
         let behavior = format!("{CART}{}", random.behavior("b"));
         let properties: Vec<_> = (0..4).map(|index| format!("property p{index}: {}\n", random.property())).collect();
