@@ -103,6 +103,12 @@ pub(super) fn proposals(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStr
         let start = start(reports_done).map(|start| quote! { #start || changed });
         quote! { Some(Command::#variant #pattern) => robot.#method(#(#parameters,)* #start) }
     });
+    let given: Vec<_> = given.collect();
+    let (robot, given) = if given.is_empty() {
+        (format_ident!("_robot"), quote! { Ok(()) })
+    } else {
+        (format_ident!("robot"), quote! { match self.0 { None => Ok(()), #(#given,)* } })
+    };
     let changed = format_ident!("{}changed", if asked().any(|(.., reports_done)| *reports_done) { "" } else { "_" });
     let mut modules = BTreeSet::new();
     let noted = wiring.inner.iter().filter(|inner| modules.insert(&inner.module)).map(|inner| {
@@ -150,11 +156,8 @@ pub(super) fn proposals(emission: Emission<'_>, wiring: &Wiring<'_>) -> TokenStr
         impl Proposal {
             /// Gives the command; it begins anew where the robot has changed hands.
             #[inline]
-            fn give<R: Robot>(self, #changed: bool, robot: &mut R) -> Result<(), R::Error> {
-                match self.0 {
-                    None => Ok(()),
-                    #(#given,)*
-                }
+            fn give<R: Robot>(self, #changed: bool, #robot: &mut R) -> Result<(), R::Error> {
+                #given
             }
         }
         #(#noted)*

@@ -296,7 +296,19 @@ const NAMES: (&str, &str) = (
              1: Outputs.move -> self
              2: inputs.move -> none
          }
-     }",
+     }
+     behavior idle on Robot {
+         entry rest
+         mode rest { decide (failed(inputs)) { (set) => nothing  (clear) => nothing } }
+     }
+     behavior Command on Robot { entry Proposal  mode Proposal { step() } }
+     arbiter give on Robot {
+         emergency elapsed > 9 -> Step()
+         client seed = idle priority 1
+         client next = Command priority 2 when inputs > 5 else 3
+         client state = Command priority 4
+     }
+     arbiter nothing_asked on Robot { client levels = idle priority 1 }",
 );
 
 #[test]
