@@ -220,7 +220,7 @@ impl Stay {
             let taken = steady::exit(formula, tick.truth, dwell, is_entered, &case.gates.open);
             let Some((exit, times)) = taken.filter(|(exit, _)| !is_settled(&self.exits[*exit])) else { continue };
             let done = formula.is_done(tick.truth);
-            let moment = |time| Moment { dwell: dwell + time, done, readings: readings.clone() };
+            let moment = |time| Moment { dwell: dwell.saturating_add(time), done, readings: readings.clone() };
             self.exits[exit].taken =
                 Some(Way::Shown(before.iter().cloned().chain(times.into_iter().map(moment)).collect()));
         }
